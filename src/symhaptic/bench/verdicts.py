@@ -98,7 +98,7 @@ Way = Callable[[Walls, int], Any]
 
 
 def methods(folder: Path) -> dict[str, tuple[Way, Way]]:
-    """The verdicts of each method, NaN for a wall that it refuses, and the function that is timed."""
+    """The verdicts of each method (NaN: refused), and the function that is timed."""
     (plant,) = request.chosen(["discretize"])
     paper = function(plant, "printed", "numpy")
 

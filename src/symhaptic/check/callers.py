@@ -1,4 +1,4 @@
-"""Somebody's function, from Python, a shared library or a command, as one that takes points.
+"""A user's function, from Python, a shared library or a command, as one that takes points.
 
 It runs in a process of its own (:mod:`symhaptic.check.worker`), which ends with all that it has
 started when the time is up, when it prints too much, and when this process ends.
@@ -25,13 +25,13 @@ from symhaptic.check import worker
 from symhaptic.check.worker import Points
 
 SECONDS, MEMORY = 60.0, 4.0
-"""The most time and memory (GiB) that somebody's code gets."""
+"""Limits of time (s) and memory (GiB) of the user's code."""
 
 _OUTPUT, _LINE = 1 << 20, 1 << 10
-"""Bytes that may be printed, and more of them for each point."""
+"""Limits of the printed bytes: in total, and in addition for each point."""
 
 _GRACE = 2.0
-"""Seconds in which a function without an error has to end."""
+"""Seconds in which a correct function has to end after the last point."""
 
 Values = list[tuple[float, ...]]
 

@@ -18,11 +18,11 @@ from symhaptic.check.points import Range, drawn
 
 @dataclass(frozen=True)
 class Report:
-    """What was found of whose function, in how long."""
+    """The result of a comparison, with the function and the time."""
 
     found: Found
     of: str
-    """As it was asked for, such as ``my.module:f``."""
+    """The function, such as ``my.module:f``."""
     seconds: float
     place: tuple[str, int] | None = None
     """File and line."""

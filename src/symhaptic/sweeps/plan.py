@@ -1,4 +1,4 @@
-r"""A sweep as blocks that know nothing of each other.
+r"""A sweep as independent blocks.
 
 All points are the product of named dimensions.  Blocks are cut from the dimensions that stay; one
 block goes through all of those that are reduced, tile by tile and always in the same order, so that
@@ -33,13 +33,13 @@ _TILE = 2**17
 
 
 class Reduction(NamedTuple):
-    """What becomes of the values along the dimensions that do not stay."""
+    """A reduction of values along dimensions."""
 
     combine: np.ufunc
     kind: type | None
-    """Of what it takes; None for numbers and counts."""
+    """The kind of values that it reduces; None for numbers and counts."""
     method: str
-    """What the conventions for climate and forecast call it, in ``cell_methods``."""
+    """Its name in ``cell_methods`` of the CF conventions."""
 
 
 REDUCTIONS = {
@@ -53,13 +53,13 @@ REDUCTIONS = {
 
 
 class Variable(NamedTuple):
-    """One result as it is kept."""
+    """One variable of the result."""
 
     name: str
     source: int
     """Which of the function's results it is."""
     word: str
-    """Its reduction, or nothing."""
+    """Its reduction, or an empty string."""
     dtype: np.dtype[Any]
     attributes: dict[str, str]
 
@@ -78,7 +78,7 @@ class Piece:
     """Points along all dimensions, those that stay first."""
     variables: tuple[Variable, ...]
     made: Mapping[str, str]
-    """What began the sweep, as :func:`maker` says it."""
+    """Versions that began the sweep, as :func:`maker` returns them."""
 
     def compute(self) -> list[NDArray[Any]]:
         """The block of every variable."""
@@ -113,12 +113,12 @@ class Piece:
 
 
 def maker() -> dict[str, str]:
-    """What the bits of a result depend on besides its arguments."""
+    """Versions that the bits of a result depend on."""
     return {"symhaptic": package(), "kernels": kernels_used(), "numpy": np.__version__}
 
 
 def _kept(variable: Variable, value: Any) -> NDArray[Any]:
-    """A result as numbers of the kind that is kept; a function of one's own may give others."""
+    """A result in the dtype of its variable; a user's function may return another dtype."""
     kind = _sum(variable)
     array = real(variable.name, value) if np.ma.isMaskedArray(value) else np.asarray(value)
     if np.can_cast(array.dtype, kind):
@@ -133,7 +133,7 @@ def _kept(variable: Variable, value: Any) -> NDArray[Any]:
 
 
 def _sum(variable: Variable) -> np.dtype[Any]:
-    """What partial results are kept as: truth values are counted."""
+    """The dtype of partial results: truth values are counted."""
     return np.dtype(np.int64) if variable.word == "count" else variable.dtype
 
 
@@ -152,7 +152,7 @@ def _reduced(
 
 
 def _tiles(shape: tuple[int, ...]) -> Iterator[tuple[slice, ...]]:
-    """Parts of at most so many points, the last dimension quickest."""
+    """Tiles of at most ``_TILE`` points; the last dimension varies fastest."""
     lengths = _lengths(shape, _TILE)
     ranges = (range(0, n, step) for n, step in zip(shape, lengths, strict=True))
     for begin in itertools.product(*ranges):
@@ -162,7 +162,7 @@ def _tiles(shape: tuple[int, ...]) -> Iterator[tuple[slice, ...]]:
 
 
 def _lengths(shape: tuple[int, ...], points: int) -> tuple[int, ...]:
-    """Lengths of even parts of at most so many points, whole along the last dimensions."""
+    """Lengths of equal parts of at most ``points`` points, undivided along the last dimensions."""
     lengths: list[int] = []
     for n in reversed(shape):
         parts = -(-n // max(1, min(n, points)))
@@ -173,7 +173,7 @@ def _lengths(shape: tuple[int, ...], points: int) -> tuple[int, ...]:
 
 @dataclass(frozen=True)
 class Plan:
-    """All of a sweep but where it is computed and kept."""
+    """All of a sweep except where it is computed and stored."""
 
     work: Work
     names: tuple[str, ...]
@@ -184,7 +184,7 @@ class Plan:
     over: tuple[str, ...]
     variables: tuple[Variable, ...]
     lengths: tuple[int, ...]
-    """Of a block, along the dimensions that stay."""
+    """Lengths of a block along the dimensions that stay."""
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -198,7 +198,7 @@ class Plan:
 
     @property
     def attributes(self) -> dict[str, str]:
-        """What is said of the whole."""
+        """Attributes of the dataset."""
         words = {name: str(value) for name, value in self.work.words.items()}
         if self.work.arm is not None:
             words["arm"] = str(self.work.arm)
@@ -230,7 +230,7 @@ class Plan:
         return Piece(index, region, self.work, inputs, shape, self.variables, maker())
 
     def description(self) -> dict[str, Any]:
-        """What two sweeps have in common whose blocks may stand beside each other."""
+        """Everything that must be equal in two sweeps that share a store."""
         return {
             **maker(),
             "quantity": self.work.says,
@@ -284,7 +284,7 @@ class Plan:
 def lengths_of(
     kept: Mapping[str, int], over: Mapping[str, int], chunks: int | Mapping[str, int] | None
 ) -> tuple[int, ...]:
-    """The lengths of blocks; of so many points, or as they are given by dimension."""
+    """Lengths of blocks, from a number of points or from lengths by dimension."""
     points = POINTS if chunks is None or isinstance(chunks, Mapping) else chunks
     found = _lengths(tuple(kept.values()), max(1, points // math.prod(over.values())))
     if not isinstance(chunks, Mapping):

@@ -1,8 +1,8 @@
-"""Where finished blocks are kept, so that a sweep goes on where it was killed.
+"""Stores of finished blocks, from which an interrupted sweep is resumed.
 
-A block counts as done when a mark says so that is written after it.  What a killed process had
-begun is computed again, and the end has the same bytes as without the kill.  Checksums are compared
-when a block is read.
+A mark that is written after a block says that the block is done.  Blocks that a killed process had
+begun are computed again, and the result has the same bytes as without the kill.  Checksums are
+compared when a block is read, and those of the files that describe a store when a sweep begins.
 """
 
 from __future__ import annotations
@@ -33,20 +33,20 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 PLAN = "symhaptic_sweep"
-"""The attribute that says which sweep it is."""
+"""The attribute that describes the sweep."""
 
 _DRAFT = "_draft-"
-"""Beginning of the name of a file of Parquet that is being written; its readers pass over it."""
+"""Prefix of Parquet files that are being written; readers of Parquet ignore such files."""
 
 _DONE = "blocks/done"
 """The array of Zarr with a mark for each block that is done."""
 
 _TAKEN = ("blocks", "zarr.json")
-"""Names of its own in a group."""
+"""Names that labels cannot have."""
 
 
 def store(to: str | Path) -> Store:
-    """Zarr or Parquet, by the end of the name."""
+    """The store of a name: Zarr or Parquet, by its ending."""
     place = str(to).rstrip("/")
     if place.endswith(".zarr"):
         needed("symhaptic.sweep to a Zarr store", "zarr", extra="sweep")
@@ -68,7 +68,7 @@ def _damaged(file: str) -> ValueError:
 
 
 _WRONG = (LookupError, TypeError, ValueError, RuntimeError, ArithmeticError)
-"""What Zarr, and what it decompresses with, raise for files that are damaged."""
+"""Exceptions of Zarr and its codecs for damaged files."""
 
 
 def _sealed(said: Mapping[str, Any]) -> str:
@@ -98,7 +98,7 @@ def _bad_block(files: str, mark: str) -> ValueError:
 
 @contextmanager
 def _beside(place: Path) -> Iterator[Path]:
-    """Where it is made before it has its name, in a folder of its own that does not stay."""
+    """A temporary folder in which a store is made before it gets its name."""
     stack = ExitStack()
     try:
         draft = stack.enter_context(folder(f".{place.name}-", place.parent))
@@ -128,14 +128,14 @@ class Store:
     place: str
 
     ABOUT: ClassVar[str]
-    """The file that says which sweep it is."""
+    """The file that describes the sweep."""
     DRAFTS: ClassVar[str]
-    """Names of files that a killed process leaves half written."""
+    """Pattern of the files that a killed process leaves incomplete."""
 
     def begin(self, plan: Plan) -> None:
-        """Make it whole at once, or see that it is the same sweep that it was begun for.
+        """Make the store, or check that it belongs to the same sweep.
 
-        It is made under another name first, where names can be changed.
+        A local store is made under another name first, so that it is complete when it appears.
         """
         local = "://" not in self.place
         if not local or os.path.lexists(self.place):
@@ -212,7 +212,7 @@ class Store:
         """Refuse labels that would be lost or changed."""
 
     def _make(self, place: str, plan: Plan) -> None:
-        """Make it without a block."""
+        """Make the store without any block."""
         raise NotImplementedError
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
@@ -224,12 +224,12 @@ class Store:
         raise NotImplementedError
 
     def read(self, piece: Piece) -> list[NDArray[Any]]:
-        """A block that is kept."""
+        """Read a block and compare its checksum."""
         raise NotImplementedError
 
 
 class Zarr(Store):
-    """A Zarr group: one chunk a block, and in ``blocks/done`` checksums of each that is done."""
+    """A Zarr group with one chunk per block; ``blocks/done`` has the checksums of finished blocks."""
 
     ABOUT = "zarr.json"
     DRAFTS = "*.partial"
@@ -301,7 +301,7 @@ class Zarr(Store):
                 )
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
-        """Where there is no mark."""
+        """The blocks without a mark."""
         try:
             done = np.asarray(self._group("r")[_DONE][...])
         except _WRONG:
@@ -310,7 +310,7 @@ class Zarr(Store):
         return (index for index in plan.indices() if not done[index].any())
 
     def finish(self, piece: Piece) -> None:
-        """The block first, then its mark."""
+        """Write the block first, then its mark."""
         group = self._group()
         done = group[_DONE]
         if np.any(done[piece.index]):
@@ -321,7 +321,7 @@ class Zarr(Store):
         done[piece.index] = [*map(_checksum, found)]
 
     def read(self, piece: Piece) -> list[NDArray[Any]]:
-        """The chunks of a block, if their checksums are those of its mark."""
+        """Read the chunks of a block and compare their checksums with the mark."""
         found, place = [], "/".join(("c", *map(str, piece.index)))
         for i, variable in enumerate(piece.variables):
             try:
@@ -347,7 +347,7 @@ class Zarr(Store):
 
 
 def _bytes(file: str) -> bytes:
-    """What a file holds, here or at an address; nothing if there is none."""
+    """The content of a file, local or remote; empty if there is none."""
     try:
         if "://" not in file:
             return Path(file).read_bytes()
@@ -361,14 +361,14 @@ def _bytes(file: str) -> bytes:
 
 
 def _checksum(values: NDArray[Any]) -> int:
-    """CRC-32 with a bit above it, so that it is never 0; of NaN the sign and payload are none."""
+    """CRC-32 with a bit above it, so that it is never 0; all NaN count as the same number."""
     if values.dtype.kind == "f":
         values = np.where(np.isnan(values), np.nan, values)
     return 2**32 + zlib.crc32(np.ascontiguousarray(values).tobytes())
 
 
 class Parquet(Store):
-    """A folder of Parquet files, one a block with a row a point, each there at once when done."""
+    """A folder of Parquet files, one per block, with one row per point."""
 
     ABOUT = f"_{PLAN}.json"  # which readers of Parquet pass over
     DRAFTS = f"{_DRAFT}*"
@@ -383,12 +383,12 @@ class Parquet(Store):
         (Path(place) / self.ABOUT).write_text(text, "utf-8")
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
-        """Where there is no file."""
+        """The blocks without a file."""
         there = {path.name for path in Path(self.place).iterdir()}
         return (index for index in plan.indices() if _file(index) not in there)
 
     def finish(self, piece: Piece) -> None:
-        """Write beside, and give it its name when it is whole."""
+        """Write a draft, and rename it when it is complete."""
         import pyarrow
         from pyarrow import parquet
 
@@ -418,7 +418,7 @@ class Parquet(Store):
         os.replace(beside, whole)
 
     def read(self, piece: Piece) -> list[NDArray[Any]]:
-        """The columns of a block; Parquet compares its own checksums."""
+        """Read the columns of a block; Parquet compares its own checksums."""
         from pyarrow import ArrowException, parquet
 
         names = [v.name for v in piece.variables]
