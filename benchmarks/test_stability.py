@@ -1,7 +1,7 @@
-"""Boundaries and root counts beside the paper's grid, eigenvalues, SciPy and python-control.
+"""Root counts, stiffnesses and margins of many walls.
 
-`.venv/bin/pytest benchmarks/test_stability.py --benchmark-only -s`; ratios within one run count,
-since the machine is shared.
+`.venv/bin/pytest benchmarks/test_stability.py --benchmark-only -s`.  The comparison with the
+paper's grid, eigenvalues, SciPy and python-control is part of `symhaptic bench`.
 """
 
 import resource
@@ -10,17 +10,8 @@ import time
 
 import numpy as np
 import pytest
-from scipy.signal import cont2discrete
 
-from symhaptic import (
-    characteristic_polynomial,
-    delay_margin,
-    is_stable,
-    max_stable_stiffness,
-    stability_boundary,
-    stable_region,
-)
-from symhaptic.numeric.tracing.grid import grid_boundary
+from symhaptic import delay_margin, is_stable, max_stable_stiffness, stable_region
 
 GAMMA, DELTA = 0.001, 0.02
 RNG = np.random.default_rng(0)
@@ -40,26 +31,6 @@ def say(text):
     print(f"\n    {text}", end="")
 
 
-@pytest.mark.parametrize("delay", [0, 1, 2, 4, 8])
-def test_boundary_points_beside_the_grid(benchmark, delay):
-    """The paper's method with 61 x 61 nodes around the region, to 1e-8."""
-    left, low, right, high = stable_region(GAMMA, DELTA, delay).polygon.bounds
-    wide, tall = right - left, high - low
-    alphas = np.linspace(left - 0.1 * wide, right + 0.1 * wide, 61)
-    betas = np.linspace(low - 0.1 * tall, high + 0.1 * tall, 61)
-    found = grid_boundary(GAMMA, DELTA, delay, alphas, betas, 1e-8)
-    slow = seconds(lambda: grid_boundary(GAMMA, DELTA, delay, alphas, betas, 1e-8), 3)
-    angles = np.linspace(0.01, 3.1, 10**6)
-    benchmark.pedantic(stability_boundary, (angles, GAMMA, DELTA, delay), rounds=5)
-    quick = benchmark.stats.stats.median
-    ratio = (slow / len(found)) / (quick / angles.size)
-    benchmark.extra_info["times faster per point than the grid"] = round(ratio)
-    say(
-        f"d = {delay}: grid {1e6 * slow / len(found):.0f} us a point ({len(found)} points), "
-        f"explicit {1e9 * quick / angles.size:.0f} ns, ratio {ratio:.0f}"
-    )
-
-
 WALLS = 10**6
 
 
@@ -76,50 +47,6 @@ def test_is_stable(benchmark, walls, delay):
     one = seconds(lambda: is_stable(*walls, 1))
     benchmark.extra_info["time over that of d = 1"] = round(here / one, 2)
     say(f"d = {delay}: {1e6 * here / WALLS:.2f} us a wall, {here / one:.2f} times that of d = 1")
-
-
-@pytest.mark.parametrize("delay", [0, 1, 12, 100])
-def test_is_stable_beside_eigenvalues(benchmark, delay):
-    """Companion eigenvalues on stacks, the plant's numbers given; and one wall at a time."""
-    count = 2000
-    al, be = RNG.normal(size=(2, count)) * 0.1
-    rows = np.array(
-        [characteristic_polynomial(a, b, GAMMA, DELTA, delay) for a, b in zip(al, be, strict=True)]
-    )
-    companion = np.zeros((count, delay + 3, delay + 3))
-    companion[:, 0] = -rows[:, 1:]
-    companion[:, range(1, delay + 3), range(delay + 2)] = 1.0
-    slow = seconds(lambda: np.abs(np.linalg.eigvals(companion)).max(axis=1) < 1, 3)
-    benchmark.pedantic(is_stable, (al, be, GAMMA, DELTA, delay), rounds=9)
-    ratio = slow / benchmark.stats.stats.median
-    benchmark.extra_info["times faster than stacked eigenvalues"] = round(ratio)
-    say(f"d = {delay}: {1e6 * slow / count:.1f} us a wall by eigenvalues, ratio {ratio:.0f}")
-
-
-def by_scipy(alpha, beta, gamma, delta, delay):
-    top, bottom, _ = cont2discrete(([1.0], [1.0, delta, gamma]), 1.0, method="zoh")
-    p = np.concatenate([bottom, np.zeros(delay + 1)])
-    p[-3:] += np.convolve(top[0][1:], [alpha + beta, -beta])
-    return np.abs(np.roots(p)).max() < 1
-
-
-def by_control(alpha, beta, gamma, delta, delay):
-    control = pytest.importorskip("control")
-    device = control.sample_system(control.tf([1], [1, delta, gamma]), 1.0, "zoh")
-    wall = control.tf([alpha + beta, -beta], [1] + [0] * (delay + 1), 1.0)
-    return np.abs(control.feedback(device, wall).poles()).max() < 1
-
-
-@pytest.mark.parametrize("peer", [by_scipy, by_control])
-def test_one_wall_beside_peers(benchmark, peer):
-    """From the plant's parameters to a verdict, as a script would write it."""
-    given = (0.1, 0.4, GAMMA, DELTA, 1)
-    assert bool(peer(*given)) is bool(is_stable(*given))
-    slow = seconds(lambda: peer(*given), 50)
-    benchmark.pedantic(is_stable, given, rounds=50)
-    ratio = slow / benchmark.stats.stats.median
-    benchmark.extra_info[f"times faster than {peer.__name__}"] = round(ratio, 1)
-    say(f"{peer.__name__}: {1e3 * slow:.2f} ms, ratio {ratio:.1f}")
 
 
 @pytest.mark.parametrize("kind", ["whole", "fractional"])

@@ -15,7 +15,7 @@ from multiprocessing.reduction import DupFd
 _FORKED = get_context("forkserver")
 _OURS = ("book.figures", "book.listing", "book.parallel", "book.parts", "book.tex.build",
          "bounds.walls", "check.callers", "check.checked", "check.compare", "check.formulas",
-         "check.told", "cli.main", "numeric.tracing.output", "scene.device_file",
+         "check.report", "cli.main", "numeric.tracing.output", "scene.device_file",
          "scene.scene")  # fmt: skip
 _THEIRS = "matplotlib.figure", "matplotlib.backends.backend_svg", "pydantic"
 _FORKED.set_forkserver_preload([*(f"symhaptic.{name}" for name in _OURS), *_THEIRS])

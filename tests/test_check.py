@@ -14,7 +14,7 @@ from command import symhaptic
 
 from symhaptic import __all__ as symhaptic_names
 from symhaptic import is_stable, max_passive_stiffness
-from symhaptic.check import callers, told
+from symhaptic.check import callers, report
 from symhaptic.check.compare import compared, plainest
 from symhaptic.check.formulas import CHECKED
 from symhaptic.check.plugin import Agreement
@@ -348,7 +348,7 @@ def test_the_package_agrees_with_every_formula(name):
         return list(zip(*(column.astype(float).tolist() for column in found), strict=True))
 
     found = compared(one, call, 10, 1500)
-    assert found.agrees, told.text(told.Report(found, name, 0.0))
+    assert found.agrees, report.text(report.Report(found, name, 0.0))
 
 
 def test_every_function_of_walls_can_be_checked():
@@ -450,7 +450,7 @@ def test_what_counts_in_coarse_units_is_said():
 
     def told_of(change):
         mine = callers.called(lambda *plant: change(*checked.near(*plant)))
-        return told.text(told.Report(compared(checked, mine, 8, 20), "mine", 0.0))
+        return report.text(report.Report(compared(checked, mine, 8, 20), "mine", 0.0))
 
     coarse = f"in beta and theta a unit is {math.ulp(1e8):.2g}, half of the digits"
     agrees = told_of(lambda alpha, beta, theta: (alpha, beta + 1e-8, theta))

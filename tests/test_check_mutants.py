@@ -14,13 +14,13 @@ import pytest
 from command import symhaptic
 
 import symhaptic as sh
-from symhaptic.check import told
+from symhaptic.check import report
 from symhaptic.check.callers import Theirs, called
 from symhaptic.check.checked import exact
 from symhaptic.check.compare import compared, error
-from symhaptic.check.covered import covered
 from symhaptic.check.formulas import CHECKED, _first_maximum
 from symhaptic.check.points import drawn
+from symhaptic.check.report import covered
 
 PI = math.pi
 
@@ -463,7 +463,7 @@ def test_exported_c_agrees(library, name):
     numbers = len(checked.arguments), len(checked.results)
     with Theirs("library", f"{library}:haptic_{name}", *numbers) as theirs:
         found = compared(checked, theirs)
-    assert found.agrees, told.text(told.Report(found, name, 0.0))
+    assert found.agrees, report.text(report.Report(found, name, 0.0))
 
 
 def by_roots(alpha, beta, gamma, delta, d):
@@ -490,7 +490,7 @@ def test_numpys_roots_are_off_next_to_the_boundary_by_a_distance_that_is_told():
     found = compared(CHECKED["is_stable"], called(by_roots), 1000, over=ORDINARY)
     assert found.agrees
     assert found.worst > 0
-    said = told.text(told.Report(found, "numpy.roots", 0.0))
+    said = report.text(report.Report(found, "numpy.roots", 0.0))
     assert f"wrong answers within {found.worst:.3g} ulp (" in said
     assert " relative) of the boundary; agrees" in said
     wrong = [i for i, got, error in found.looked if error > 0]
@@ -504,16 +504,14 @@ def test_an_equation_as_published_agrees(id):
 
     function = _values(CHECKED[id], _print(CHECKED[id]))
     found = compared(CHECKED[id], on_arrays(lambda *at: tuple(function(list(at)))))
-    assert found.agrees, told.text(told.Report(found, id, 0.0))
+    assert found.agrees, report.text(report.Report(found, id, 0.0))
 
 
 def test_a_count_that_is_not_told_is_counted_apart():
     """-1 is no answer: no error where a root is next to the circle, and no excuse elsewhere."""
     package = compared(CHECKED["unstable_roots"], on_arrays(sh.unstable_roots))
     assert package.agrees
-    assert any(
-        'at which -1 was accepted for "not known"' in m for m in covered(package)["missing"]
-    )
+    assert any('at which -1 was accepted for "not known"' in m for m in covered(package)["missing"])
     silent = compared(CHECKED["unstable_roots"], on_arrays(lambda a, *_: -1 + 0 * a))
     assert not silent.agrees
 
@@ -558,10 +556,10 @@ def test_what_is_covered_is_told():
     ))  # fmt: skip
     assert what["ranges"]["d"][1] > 1e14
     assert what["ranges"]["gamma"][1] > 1e14
-    said = told.text(told.Report(found, "mine", 0.0))
+    said = report.text(report.Report(found, "mine", 0.0))
     assert "covered: alpha " in said
     assert "both sides of the boundary, at relative distances: 100 at 1e-12, " in said
-    data = json.loads(told.json_text(told.Report(found, "mine", 0.0)))["covered"]
+    data = json.loads(report.json_text(report.Report(found, "mine", 0.0)))["covered"]
     assert data["beside"]["1e-12"] == 100
     assert data["kinds"]["no delay"] == what["kinds"]["no delay"]
 
@@ -580,7 +578,7 @@ def test_what_is_not_covered_is_told():
     found = compared(CHECKED["eq11"], on_arrays(eq11))
     assert (
         "not covered: fractional delays: the published equation is for integer ones"
-        in told.text(told.Report(found, "mine", 0.0))
+        in report.text(report.Report(found, "mine", 0.0))
     )
     found = compared(CHECKED["is_stable"], on_arrays(sh.is_stable), count=300, over={"d": (0, 0)})
     assert {"integer delays", "fractional delays"} <= set(covered(found)["missing"])

@@ -10,7 +10,17 @@ import numpy as np
 import pytest
 from flint import arb
 
-from symhaptic.bench import functions, measuring, models, peers, timing, tracing, verdicts
+from symhaptic.bench import (
+    error,
+    functions,
+    measuring,
+    models,
+    peers,
+    timing,
+    tracing,
+    verdicts,
+    winding,
+)
 from symhaptic.bench.error import errors as exported_errors
 from symhaptic.bench.error import suspects
 from symhaptic.bench.exact import EXACT
@@ -89,15 +99,15 @@ def test_no_number_where_there_is_one_is_infinitely_wrong(monkeypatch):
 
 
 def test_a_wrong_exact_value_is_noticed(monkeypatch):
-    exact = functions.EXACT["linear_limit"]
+    exact = error.EXACT["linear_limit"]
     points = [np.array([0.3]), np.array([0.01]), np.array([4.0])]
     confirm(form("linear_limit"), points)
-    functions.truth.cache_clear()
+    error.exactly.cache_clear()
     wrong = {"linear_limit": lambda *p: tuple(v * (1 + arb(2) ** -120) for v in exact(*p))}
-    monkeypatch.setattr(functions, "EXACT", wrong)
+    monkeypatch.setattr(error, "EXACT", wrong)
     with pytest.raises(WrongExact, match="linear_limit, alpha"):
         confirm(form("linear_limit"), points)
-    functions.truth.cache_clear()
+    error.exactly.cache_clear()
 
 
 @pytest.mark.parametrize("name", list(functions.FUNCTIONS))
@@ -155,7 +165,7 @@ def test_the_limit_at_a_virtual_damping_is_on_the_boundary():
     gamma, delta, beta = np.array([5e-4]), np.array([0.01]), np.array([0.02])
     alpha = models.limit(beta, gamma, delta, 1)
     for side in (-1e-9, 1e-9):
-        one = verdicts.stable(float(alpha[0] * (1 + side)), 0.02, 5e-4, 0.01, 1)
+        one = winding.stable(float(alpha[0] * (1 + side)), 0.02, 5e-4, 0.01, 1)
         assert one is (side < 0)
 
 
@@ -273,7 +283,7 @@ def test_a_measurement_without_matplotlib_claims_no_plots(tmp_path, monkeypatch,
 
 @pytest.mark.slow
 def test_plots_and_tables_are_written(tiny, tmp_path):
-    from symhaptic.bench.output import FORMATS, write
+    from symhaptic.bench.measuring import FORMATS, write
     from symhaptic.book.measured.chapter import measurement
 
     write(tiny, tmp_path)

@@ -9,7 +9,8 @@ import pytest
 from flint import acb_poly, arb
 
 from symhaptic.bench import implicit, verdicts, winding
-from symhaptic.bench.exact import EXACT, late
+from symhaptic.bench.closed import delayed, device
+from symhaptic.bench.exact import EXACT
 
 HARD = [
     # nearly undamped, next to 9 half swings in a period
@@ -31,7 +32,7 @@ def by_roots(alpha, beta, gamma, delta, d, bits=2000):
     """All roots of the polynomial in balls, those outside counted."""
     whole = math.floor(d)
     with flint.ctx.workprec(bits):
-        m2, m1, m0, a, e = late(gamma, delta, arb(d) - whole)
+        m2, m1, m0, a, e = delayed(gamma, delta, arb(d) - whole)
         row = [arb(1), -a, e, *[arb(0)] * (whole + 2)]
         for i, force in enumerate((arb(alpha) + beta, -arb(beta))):
             for j, moved in enumerate((m2, m1, m0)):
@@ -69,10 +70,30 @@ def test_a_root_on_the_circle_is_not_counted():
         assert winding.stable(*wall) is False
 
 
-def test_jurys_table_agrees_with_the_counted_roots():
-    walls, truth = verdicts.near(2, 1e-9, 8)
-    rows = zip(*walls, strict=True)
-    assert [winding.stable(*map(float, row), 2.0) for row in rows] == truth.tolist()
+def by_jury(alpha, beta, gamma, delta, delay, bits=512):
+    """Jury's table in balls."""
+    with flint.ctx.workprec(bits):
+        n1, n0, a, e = device(gamma, delta)
+        row = [arb(1), -a, e] + [arb(0)] * (delay + 1)
+        row[-3] += n1 * (arb(alpha) + beta)
+        row[-2] += n0 * (arb(alpha) + beta) - n1 * beta
+        row[-1] += -n0 * beta
+        while len(row) > 1:
+            share = row[-1] / row[0]
+            assert abs(share) < 1 or abs(share) >= 1, "the balls are too wide"
+            if abs(share) >= 1:
+                return False
+            row = [x - share * y for x, y in zip(row[:-1], row[:0:-1], strict=True)]
+        return True
+
+
+@pytest.mark.parametrize("delay", [0, 2, 16])
+def test_jurys_table_agrees_with_the_counted_roots(delay):
+    """Of walls on both sides of the boundary, at relative distances down to 1e-14."""
+    for distance in verdicts.DISTANCES:
+        walls, truth = verdicts.near(delay, distance, 4)
+        rows = [tuple(map(float, row)) for row in zip(*walls, strict=True)]
+        assert [by_jury(*row, delay) for row in rows] == truth.tolist()
 
 
 @pytest.mark.parametrize(
@@ -159,7 +180,7 @@ def test_no_wall_is_stable_beyond_the_stiffest_that_is_found(plant, alpha):
         assert top == pytest.approx(alpha, rel=1e-6)
     whole = math.floor(plant[2])
     with flint.ctx.workprec(200):
-        m2, m1, m0, a, e = (float(v) for v in late(*plant[:2], plant[2] - whole))
+        m2, m1, m0, a, e = (float(v) for v in delayed(*plant[:2], plant[2] - whole))
     stiff = np.geomspace(1.0005, 30, 150) * (top + plant[0]) - plant[0]
     span = 6 * (abs(top) + plant[0] + 1)
     rows = np.zeros((400, whole + 5))

@@ -4,6 +4,7 @@ The attacks come first: walls that one arm of the range makes unstable, by eigen
 are built here from matrix exponentials, and certificates that say more than what was shown.
 """
 
+import math
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
@@ -14,7 +15,7 @@ import pytest
 from hands import growth, loops, moved
 
 from symhaptic.bounds.safe.check import recheck, stable
-from symhaptic.bounds.safe.curve import walls
+from symhaptic.bounds.safe.curve import left_out, walls
 from symhaptic.bounds.safe.find import NothingSafe, certified, outlines
 from symhaptic.numeric.boundary import stability_boundary
 from symhaptic.numeric.stability import is_stable
@@ -244,3 +245,18 @@ def test_an_arm_whose_triedno_float_holds_is_no_bound():
     """1e306 kg at 1 kHz: alpha m/T^2 overflows; the command said so twice before its one line."""
     largest = [K.max() for K, _ in outlines(loops("0.1", "0.5", 0, ((0, 10**306), (0, 0), (0, 0))))]
     assert np.isinf(largest).any()
+
+
+@pytest.mark.parametrize("q", [1.0, 1.3, 2.0, 4.9])
+def test_what_a_series_leaves_out_is_bounded_with_its_derivatives(q):
+    """j! c_j is at most (2 q)^(j - 2); a speed has j c_j, and Cauchy's circle has the radius 1."""
+    near, beyond = (float(ball.upper()) for ball in left_out(q))
+    terms = [(2 * q, j - 2, math.factorial(j - 1)) for j in range(24, 150)]
+    assert sum(rate**n / many for rate, n, many in terms) <= near
+    assert sum(2 * n * rate ** (n - 1) / many for rate, n, many in terms) <= beyond
+    assert beyond == pytest.approx(4 * (2 * (q + 1)) ** 22 / math.factorial(23), rel=1e-6)
+    assert all(ball.contains(0) and ball.mid() == 0 for ball in left_out(q))
+
+
+def test_beyond_the_series_nothing_is_known():
+    assert not any(ball.is_finite() for ball in left_out(6.1))

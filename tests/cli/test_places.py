@@ -5,10 +5,12 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import ClassVar
 
 import pytest
 from command import symhaptic
 
+from symhaptic.cli import main as cli
 from symhaptic.cli.main import unusable
 
 FULL = Path("/dev/full")
@@ -28,6 +30,36 @@ def test_a_place_that_takes_no_more_is_one_line(asked):
     assert run.returncode == 2
     [line] = run.stderr.decode().splitlines()
     assert line.startswith("symhaptic: error: standard output: cannot write")
+
+
+def full():
+    raise OSError(28, "No space left on device")
+
+
+@pytest.mark.parametrize(
+    ("command", "status"),
+    [
+        (lambda: None, 0), (lambda: 0, 0), (lambda: 1, 1), (lambda: 3, 3), (lambda: "text", 0),
+        (lambda: 130, 130), (full, 2),
+    ],
+)  # fmt: skip
+def test_the_exit_status_is_that_of_the_command(command, status, monkeypatch, capsys):
+    """0 where it gives none, 130 of one that is left, 2 where the output takes no more."""
+
+    class Command:
+        commands: ClassVar = {}
+
+        def main(self, standalone_mode):
+            return command()
+
+    monkeypatch.setattr(sys, "argv", ["symhaptic"])
+    monkeypatch.setattr(cli.typer.main, "get_command", lambda app: Command())
+    monkeypatch.setattr(os, "dup2", lambda *_: None)
+    with pytest.raises(SystemExit) as left:
+        cli.main()
+    assert left.value.code == status
+    said = {2: "symhaptic: error: standard output: cannot write", 130: "symhaptic: interrupted"}
+    assert capsys.readouterr().err.startswith(said.get(status, ""))
 
 
 def test_a_delay_may_be_a_fraction():

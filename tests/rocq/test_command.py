@@ -9,8 +9,9 @@ import sys
 import pytest
 from command import symhaptic
 
-from symhaptic.book import foreign
-from symhaptic.rocq import compiled
+from symhaptic.book import foreign, parallel
+from symhaptic.cli.foreign import judged, told_of
+from symhaptic.rocq import compiled, together
 from symhaptic.rocq.outcome import longest_first
 
 
@@ -55,6 +56,30 @@ def test_the_record_is_asked_for_as_json_and_never_as_junit(tmp_path):
     refused = symhaptic("verify", "--rocq", tmp_path, "eq2", "--format", "junit")
     assert refused.returncode == 2
     assert "--format junit" in refused.stderr
+
+
+@pytest.mark.parametrize(("given", "used"), [(None, 2), (1, 1), (5, 5)])
+def test_chapters_are_compiled_by_so_many_workers(given, used, tmp_path, monkeypatch, capsys):
+    """Two where none are given, for each step; and the result ends with one end of line."""
+    workers = []
+
+    def each(work, paths, count, told):
+        workers.append(count)
+        return iter(())
+
+    def asked(taken, folder, known, count, told):
+        workers.append(count)
+        return {}
+
+    monkeypatch.setattr(parallel, "each", each)
+    monkeypatch.setattr(together, "asked", asked)
+    monkeypatch.setattr(compiled, "prelude_compiled", lambda folder: None)
+    monkeypatch.setattr(compiled, "version", lambda: "9.0")
+    assert judged([], [], tmp_path, given, None, False, ()) == 0
+    assert workers == [used, used]
+    assert capsys.readouterr().out == told_of([], [])
+    judged([], [], tmp_path, given, None, True, ())
+    assert capsys.readouterr().out == (tmp_path / "rocq.json").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("others", [[], ["--source", "FOLDER", "--rocq", "DIR"]])

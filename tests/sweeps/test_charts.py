@@ -103,3 +103,10 @@ def test_where_no_wall_is_stable_a_picture_says_so():
     figure = charts.delay_margin(SCENE, K=(1e6, 1e7), points=10)
     (axes,) = figure.axes
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["not stable"]
+
+
+def test_the_axes_without_stiffness_and_without_damping_are_drawn():
+    lines = charts.robust_limits(SCENE, points=20).axes[0].lines
+    drawn = [(list(line.get_xdata()), list(line.get_ydata())) for line in lines]
+    assert drawn == [([0, 1], [0, 0]), ([0, 0], [0, 1])]  # across and up, in parts of the axes
+    assert {(line.get_color(), line.get_linewidth()) for line in lines} == {("black", 0.5)}

@@ -3,10 +3,12 @@
 import inspect
 import json
 import math
+import os
 import re
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 
 import numpy as np
 import pytest
@@ -226,6 +228,65 @@ def test_unsigned_numbers_that_signed_ones_hold_are_kept():
 def test_what_a_function_of_ones_own_masks_is_nan():
     found = sweep(lambda x: np.ma.array(x, mask=np.asarray(x) > 1), x=[1.0, 2.0])["<lambda>"]
     assert np.array_equal(found, [1.0, np.nan], equal_nan=True)
+
+
+WRONG = """
+import multiprocessing, time
+import numpy as np
+from symhaptic import sweep
+
+def mine(alpha):
+    if multiprocessing.parent_process() is not None:
+        time.sleep(1 if alpha.ravel()[0] > 0 else 900)
+        raise ArithmeticError("mine")
+    return alpha
+
+if __name__ == "__main__":
+    sweep(mine, alpha=np.array([0.0, 1.0]), on="processes", workers=2, chunks=1)
+"""
+
+
+def test_an_error_ends_the_other_processes_at_once(tmp_path):
+    """One block is wrong after a second; the other one would go on for 15 minutes."""
+    program = tmp_path / "program.py"
+    program.write_text(WRONG)
+    run = subprocess.run(
+        [sys.executable, program], capture_output=True, text=True, timeout=300, check=False
+    )
+    assert run.returncode == 1
+    assert run.stderr.endswith("ArithmeticError: mine\n")
+
+
+BAR = """
+import numpy as np
+from symhaptic import sweep
+
+found = sweep("is_stable", alpha=np.linspace(0, 1, 20), beta=1.0, gamma=0.0, delta=0.0, delay=0.0,
+              chunks=1)
+print(found.is_stable.size)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pseudo terminals")
+def test_a_terminal_has_a_bar_of_errors_which_is_gone_at_the_end():
+    """On standard error alone: what a program prints stays as it is."""
+    import pty
+
+    terminal, end = pty.openpty()
+    told = {**os.environ, "TERM": "xterm", "COLUMNS": "80"}
+    command = [sys.executable, "-c", BAR]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=end, env=told) as run:
+        os.close(end)
+        seen = b""
+        with suppress(OSError):  # the end of a terminal
+            while more := os.read(terminal, 1024):
+                seen += more
+        assert run.stdout.read() == b"20\n"
+    os.close(terminal)
+    assert run.returncode == 0
+    assert b"sweep" in seen
+    assert b"20/20" in seen
+    assert seen.endswith(b"\x1b[2K")  # the line is empty again
 
 
 def test_threads_processes_and_executors_give_the_same_bits():

@@ -1,4 +1,4 @@
-"""How far exported C is off, in units in the last place of the largest term of the stable form."""
+"""Errors of exported C, in units in the last place of the largest term of the stable form."""
 
 from __future__ import annotations
 
@@ -12,8 +12,7 @@ import flint
 import numpy as np
 from flint import arb
 
-from symhaptic.bench.exact import EXACT, bits
-from symhaptic.bench.exact_slopes import slopes
+from symhaptic.bench.exact import EXACT, bits, slopes
 from symhaptic.bench.exported import GCC, compiled
 from symhaptic.bench.points import Array, columns
 from symhaptic.bench.terms import sized
@@ -23,12 +22,12 @@ from symhaptic.export.targets import TARGETS
 from symhaptic.forms.stable import Form
 
 Worst = dict[str, tuple[float, tuple[float, ...]]]
-"""For each result its largest error and the arguments there."""
+"""The largest error of each result, and the arguments there."""
 
 
 @cache
 def functions(form: Form) -> Any:
-    """The routines of the array export, each alone, to find the sizes of terms with."""
+    """The routines of the array export, which compute the sizes of terms."""
     language = TARGETS["numpy"]
     files = language.source(library("terms", "", [form], language, merges=False))
     space: dict[str, Any] = {}
@@ -37,19 +36,19 @@ def functions(form: Form) -> Any:
 
 
 _FEW, _TOLD = 320, 100
-"""Bits that balls are tried with first, and so many of each result they have to tell then."""
+"""Bits of the first attempt, and correct bits that each result must then have."""
 
 
-@lru_cache(maxsize=8192)  # several exports are held against the same points
-def exactly(form: Form, point: tuple[float, ...]) -> tuple[Any, ...]:
-    """The results of a form, and after them their derivatives if it has any.
+@lru_cache(maxsize=8192)  # several exports are compared at the same points
+def exactly(form: Form, point: tuple[float, ...], told: int = _TOLD) -> tuple[Any, ...]:
+    """The results of a form, followed by their derivatives if it has any.
 
-    Few bits tell nearly all of them; where the balls are wide or none, as many are taken as the
-    arguments may ask for.
+    Nearly all of them are found with few bits.  If a ball is wide or infinite, the working
+    precision is the one that the arguments may require.
     """
     with flint.ctx.workprec(_FEW):
         found = _in_balls(form, point)
-        if all(x.is_finite() and x.rel_accuracy_bits() >= _TOLD for x in found):
+        if all(x.is_finite() and x.rel_accuracy_bits() >= told for x in found):
             return found
     with flint.ctx.workprec(bits(point)):
         return _in_balls(form, point)
@@ -70,7 +69,8 @@ def measure(
 ) -> Worst:
     """The worst error of each result, with its arguments.
 
-    NaN counts as infinitely wrong, but where the curve ends one last place of theta ahead.
+    NaN counts as an infinite error, except one unit in the last place of theta before the end of
+    the curve.
     """
     arrays = columns(form, np.random.default_rng(seed), count, precision)
     with tempfile.TemporaryDirectory() as place:
@@ -89,7 +89,7 @@ def climb(
     compiler: str = GCC,
     rounds: int = 4,
 ) -> Worst:
-    """The same, and what is found around the worst points, and around the worst of these."""
+    """The same, searched further around the worst points, and around the worst of these."""
     rng = np.random.default_rng(seed)
     arrays = columns(form, rng, count, precision)
     worst: Worst = {name: (0.0, ()) for name, _ in form.results}
@@ -105,11 +105,11 @@ def climb(
 
 
 _TOP, _NEAR = 8, 20
-"""Worst points of a result that are gone on from, and points around each."""
+"""The worst points of each result from which the search continues, and points around each."""
 
 
 def _around(name: str, values: Array, rng: np.random.Generator, precision: Precision) -> Array:
-    """Points at all distances from these, which stay among them; whole delays stay whole."""
+    """Points at all distances from these, and these points; integer delays stay integers."""
     many = np.repeat(values.astype(float), _NEAR)
     far = rng.choice([-1, 1], many.size) * 10 ** rng.uniform(-16, -1, many.size)
     moved = many * (1 + far * (rng.random(many.size) < 0.7))
@@ -126,7 +126,7 @@ def _around(name: str, values: Array, rng: np.random.Generator, precision: Preci
 
 
 def suspects(form: Form, arrays: list[Array], found: Array) -> Array:
-    """Where single precision is farthest from double, which is right to 1e-8 of its last place."""
+    """Points where single precision differs most from double precision."""
     wide = [a.astype(float) for a in arrays]
     with tempfile.TemporaryDirectory() as place:
         right = compiled(form, Path(place), DOUBLE)(wide)
@@ -151,9 +151,9 @@ def largest(form: Form, arrays: list[Array]) -> Array:
 
 
 def _ends(form: Form, point: tuple[float, ...], precision: Precision) -> bool:
-    """Whether the passivity boundary behind a fraction has ended one last place of theta ahead.
+    """Whether the passivity boundary ends within one unit in the last place of theta.
 
-    There no float tells on which side of its end it is.
+    No float can decide there on which side of the end a point is.
     """
     if (form.plain or form).name != "passivity_boundary":
         return False
@@ -162,7 +162,7 @@ def _ends(form: Form, point: tuple[float, ...], precision: Precision) -> bool:
 
 
 def errors(form: Form, arrays: list[Array], found: Array, precision: Precision = DOUBLE) -> Array:
-    """How far off each result is at each point, in last places of its largest term."""
+    """The error of each result at each point, in units in the last place of its largest term."""
     sizes = largest(form, arrays)
     off = np.zeros(found.shape)
     for k in range(arrays[0].size):

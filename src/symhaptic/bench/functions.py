@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+import shutil
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -15,25 +16,30 @@ import mpmath
 import numpy as np
 from flint import arb
 
+import symhaptic
 from symhaptic.bench import points
+from symhaptic.bench.error import exactly, functions, largest
 from symhaptic.bench.exact import EXACT, bits
+from symhaptic.bench.exported import compiled
 from symhaptic.bench.points import Array
-from symhaptic.bench.terms import sized
+from symhaptic.bench.printed import expressions, function, swings
 from symhaptic.bench.timing import seconds
-from symhaptic.bench.ways import Way, error, routines, ways
 from symhaptic.export import request
 from symhaptic.forms.stable import Form
 
 SETS = ("ordinary", "hard")
 
+_ALL = 250
+"""Bits of each exact value, more than the 50 digits that are compared with it."""
+
 _LONG = ("discretize_fractional", "passivity_margin", "max_stable_stiffness")
-"""Of fractions of a period, or searched for: in balls they take seconds a point."""
+"""Functions of fractional delays, or that search: in balls they take seconds a point."""
 
 FUNCTIONS = tuple(name for name in EXACT if name not in _LONG)
 
 
 class WrongExact(RuntimeError):
-    """An exact value that another road contradicts; the message is one line."""
+    """An exact value that another method contradicts; the message is one line."""
 
 
 @dataclass(frozen=True)
@@ -41,9 +47,9 @@ class Effort:
     """How many points are measured."""
 
     points: int
-    """A set, in floats."""
+    """Points of a set, in floats."""
     slow: int
-    """Of these with many digits."""
+    """Points that are also computed with many digits."""
     timed: int
     """Elements of the arrays that are timed."""
 
@@ -66,7 +72,7 @@ def measured(effort: Effort, names: Sequence[str] = FUNCTIONS) -> Iterator[dict[
 
 
 def chosen(form: Form, which: str, count: int) -> list[Array]:
-    """Arguments of a form: inside the paper's (23), or hard ones."""
+    """Arguments of a form: in the paper's range (23), or hard ones."""
     rng = np.random.default_rng(23)
     if which == "hard":  # whole delays, for which the paper's forms are meant
         arrays = points.columns(form, rng, count)
@@ -116,11 +122,11 @@ def errors(
     missing = 0
     at: list[float] = []
     least = 1e-30 if last > 1e-10 else 1e-290
-    terms = _sizes(form, some)
+    sizes = largest(form, [np.array(column) for column in zip(*some, strict=True)])
     for k, point in enumerate(some):
-        exact = truth(form, tuple(point))
+        exact = exactly(form, tuple(point), _ALL)
         offs = [] if found[k] else [math.nan]
-        for value, right, size in zip(found[k], exact, terms[k], strict=False):
+        for value, right, size in zip(found[k], exact, sizes[:, k], strict=False):
             if not math.isfinite(size) or size < least or not right.is_finite():
                 continue
             offs.append(error(value, right) / (last * 2.0 ** math.floor(math.log2(size))))
@@ -141,30 +147,12 @@ def errors(
     }
 
 
-@cache
-def truth(form: Form, point: tuple[float, ...]) -> tuple[arb, ...]:
-    """Exact values in balls."""
-    with flint.ctx.workprec(bits(point)):
-        return tuple(EXACT[form.name](*point))
-
-
-def _sizes(form: Form, some: list[list[float]]) -> Array:
-    arrays = [np.array(column) for column in zip(*some, strict=True)]
-    at = {s.name: a for s, a in zip(form.arguments, arrays, strict=True)}
-    helpers = routines(form)
-    with np.errstate(all="ignore"):
-        found = [sized(e, at, helpers)[1] for e in form.expressions]
-    return np.stack([np.broadcast_to(f, len(some)) for f in found], axis=1).astype(float)
-
-
 def confirm(form: Form, arrays: list[Array], digits: int = 50) -> None:
-    """Compare the exact values with the stable form in many digits, which is another road.
+    """Compare the exact values with the stable form in many digits, an independent method.
 
-    Raises :class:`WrongExact` where a ball and the number are apart.
+    Raises :class:`WrongExact` if the number is outside of the ball.
     """
-    from symhaptic.scene.callables import lambdify
-
-    other = lambdify(form.name, modules="mpmath")
+    other = symhaptic.lambdify(form.name, modules="mpmath")
     for point in zip(*(map(float, a) for a in arrays), strict=True):
         with mpmath.workdps(digits):
             try:
@@ -172,9 +160,113 @@ def confirm(form: Form, arrays: list[Array], digits: int = 50) -> None:
             except ArithmeticError:  # a zero that has no digits to agree on
                 continue
         numbers = numbers if isinstance(numbers, tuple) else (numbers,)
-        exact = truth(form, point)
+        exact = exactly(form, point, _ALL)
         for (name, _), right, number in zip(form.results, exact, numbers, strict=True):
             with flint.ctx.workprec(bits(point)):
                 near = arb(number) * arb(1, 10.0 ** (2 - digits))
                 if right.is_finite() and not near.overlaps(right):
                     raise WrongExact(f"{form.name}, {name}: the exact value is wrong at {point}")
+
+
+# -- the ways to compute a function -----------------------------------------------------------
+
+KINDS_OF_C: tuple[Any, ...] = (np.float64,)
+"""Precisions in which C is exported."""
+
+DIGITS = (30, 50)
+BITS = (53, 128)
+
+
+@dataclass(frozen=True)
+class Way:
+    """One way: of arrays in a float type, or of one point at a time."""
+
+    name: str
+    precision: str
+    """float32, float64, or digits or bits."""
+    last: float
+    """A unit in the last place of numbers from 1 to 2."""
+    call: Callable[[Sequence[Any]], Sequence[Any]]
+    kind: Any = None
+    """The float type of arrays; None where points go one at a time."""
+
+
+def ways(form: Form, folder: Path) -> Iterator[Way]:
+    """All ways to compute a form; C is compiled in ``folder``, where there is a compiler."""
+    stable = getattr(functions(form), form.name)
+    forms = ["printed", "derived"]
+    if expressions(form, "printed") == expressions(form, "derived"):
+        forms.pop()
+    if not expressions(form, "printed"):
+        forms = []
+    for kind in (np.float32, np.float64):
+        for name in forms:
+            yield _in(kind, name, _real(function(form, name, "numpy"), swings(form, name), kind))
+        yield _in(kind, "stable", lambda arrays: _listed(stable(*arrays)))
+    if shutil.which("gcc"):
+        for kind in KINDS_OF_C:
+            yield _in(kind, "C", partial(_in_c, compiled(form, folder)))
+    if form.name in _OWN:
+        yield _in(np.float64, "package", partial(_own, form.name))
+    for digits in DIGITS:
+        last = 10.0 ** (1 - digits)
+        for name in forms:
+            call = partial(_in_digits, function(form, name, "mpmath"), digits)
+            yield Way(name, f"{digits} digits", last, call)
+        call = partial(_in_digits, symhaptic.lambdify(form.name, modules="mpmath"), digits)
+        yield Way("stable", f"{digits} digits", last, call)
+    for size in BITS:
+        yield Way("balls", f"{size} bits", 2.0 ** (1 - size), partial(_balls, form.name, size))
+
+
+def _in(kind: Any, name: str, call: Callable[[Sequence[Any]], Sequence[Any]]) -> Way:
+    return Way(name, np.dtype(kind).name, float(np.finfo(kind).eps), call, kind)
+
+
+def _listed(found: Any) -> Sequence[Any]:
+    return found if isinstance(found, tuple) else (found,)
+
+
+def _real(call: Callable[..., Any], complex: bool, kind: Any) -> Callable[..., Sequence[Any]]:
+    """A published form on arrays, as a user would type it in."""
+    if not complex:
+        return lambda arrays: call(*arrays)
+    wide = np.result_type(kind, np.complex64)
+    return lambda arrays: [np.real(v) for v in call(*(a.astype(wide) for a in arrays))]
+
+
+def _in_c(call: Callable[[list[Array]], Array], arrays: Sequence[Array]) -> Sequence[Array]:
+    return list(call(list(arrays)))
+
+
+# what the package itself computes with; a form's other functions have other arguments there
+_OWN = ("discretize", "stability_boundary", "passivity_boundary", "max_passive_stiffness",
+        "linear_limit")  # fmt: skip
+_SHEETS = ("stability_boundary", "passivity_boundary", "max_passive_stiffness")
+
+
+def _own(name: str, arrays: Sequence[Array]) -> Sequence[Array]:
+    sheet = {"sheet": "principal"} if name in _SHEETS else {}
+    return _listed(tuple(np.atleast_2d(getattr(symhaptic, name)(*arrays, **sheet))))
+
+
+def _in_digits(call: Callable[..., Any], digits: int, point: Sequence[float]) -> Sequence[Any]:
+    with mpmath.workdps(digits):
+        try:
+            found = call(*map(mpmath.mpf, point))
+        except ArithmeticError:  # a division by zero, or no digits found
+            return ()
+        return [+mpmath.re(v) for v in (found if isinstance(found, (list, tuple)) else (found,))]
+
+
+def _balls(name: str, bits: int, point: Sequence[float]) -> Sequence[arb]:
+    with flint.ctx.workprec(bits):
+        return EXACT[name](*point)
+
+
+def error(found: Any, exact: arb) -> float:
+    """Distance of a number, or the radius of a ball; NaN where it is no number."""
+    if isinstance(found, arb):
+        return float(found.rad()) if found.is_finite() else math.nan
+    number = arb(found if isinstance(found, mpmath.mpf) else float(found))
+    return float(abs(number - exact)) if number.is_finite() else math.nan

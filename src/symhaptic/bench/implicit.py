@@ -1,6 +1,6 @@
 """Exact values of what is searched for: a fine grid, then Newton's steps on power series of balls.
 
-Made of the printed formulas and of matrix exponentials, as in symhaptic.bench.exact.
+Made of the formulas in :mod:`symhaptic.bench.closed`.
 """
 
 from __future__ import annotations
@@ -11,63 +11,44 @@ from functools import cache, partial
 from typing import Any
 
 import flint
-from flint import acb_poly, arb, arb_poly, arb_series
+from flint import arb, arb_series
+
+from symhaptic.bench import closed, winding
+from symhaptic.bench.closed import HALF, SHORT, required_damping, required_damping_at
+from symhaptic.bounds.newton import narrowed
 
 _MANY = 40
-"""Angles a half turn of the delay."""
-
-_HALF = arb(1) / 2
-
-_SHORT = 4
-"""Delays up to which the kernel of (5) is a sum of cosines, which no quotient makes wider."""
+"""Angles up to theta (d + 1) = pi."""
 
 _LEAST = 1e-25
 """Share of the largest value by which the enclosure of a piece may be larger."""
 
 _TERMS = 14
-"""Of a series for |x| < 1/2."""
+"""Terms of a series for |x| < 1/2."""
 
 _PIECES = 2000
-"""Pieces that are looked at before the working precision counts as too low."""
+"""The largest number of pieces; with more, the working precision is too low."""
 
 
 def series(f: Callable[[Any], Any], at: Any, terms: int) -> list[Any]:
     """The first coefficients of the power series of f at a number."""
-    flint.ctx.cap = terms
-    found = f(arb_series([at, 1], prec=terms))
-    return [found[i] for i in range(terms)]
-
-
-def required_damping(alpha: Any, beta: Any, whole: Any, part: Any) -> Callable[[Any], Any]:
-    """(5) of the paper; at a fraction of a period the largest need of all motions."""
-
-    def straight(t: Any, d: Any) -> Any:
-        if isinstance(d, int) and d <= _SHORT:
-            kernel = sum(((k * t).cos() for k in range(1, d + 1)), _HALF)
-        else:
-            kernel = ((d + _HALF) * t).sin() / (t * _HALF).sin() * _HALF
-        return alpha * kernel - beta * ((d + 1) * t).cos()
-
-    def at(t: Any) -> Any:
-        if part == 0:
-            return straight(t, whole)
-        n = (1 - part) * straight(t, whole) + part * straight(t, whole + 1)
-        sine = (t * _HALF).sin()
-        extra = part * (1 - part) * (alpha * alpha + 4 * beta * (alpha + beta) * sine * sine)
-        return (n + (n * n + extra).sqrt()) * _HALF
-
-    return at
+    before, flint.ctx.cap = flint.ctx.cap, terms
+    try:
+        found = f(arb_series([at, 1], prec=terms))
+        return [found[i] for i in range(terms)]
+    finally:
+        flint.ctx.cap = before
 
 
 def passivity_margin(alpha: float, beta: float, delta: float, d: float) -> tuple[Any, ...]:
-    """delta minus the largest need on (0, pi), with its limits at the ends."""
+    """delta minus the largest required damping on (0, pi), limits at the ends included."""
     if alpha < 0:
         return (arb("-inf"),)
     return (arb(delta) - largest_required_damping(alpha, beta, d)[0],)
 
 
 def largest_required_damping(alpha: float, beta: float, d: float) -> tuple[Any, Any]:
-    """The largest need on (0, pi) for alpha >= 0, in a ball, and an angle where it is reached.
+    """The largest required damping on (0, pi) for alpha >= 0, and an angle where it is reached.
 
     With R^2 = (alpha/2)^2 cot^2(theta/2) + (alpha/2 + beta)^2 and
     rho^2 = 1 - 4 e (1 - e) sin^2(theta/2) for the fraction e, no need is larger than
@@ -85,30 +66,22 @@ def largest_required_damping(alpha: float, beta: float, d: float) -> tuple[Any, 
         found.take(arb((turn * i / 12).mid()))
     shape = partial(series, required_damping(*wall), terms=3)
     low, high = arb(0), turn / 8
-    found.within(low, high, shape if whole < _SHORT else partial(_near_zero, *wall))
+    found.within(low, high, shape if whole < SHORT else partial(_near_zero, *wall))
     while (low := high) < arb.pi() and not _bound(*wall[:2], part, low) < found.ball:
         high = low + turn / 8
         found.within(low, high if high < arb.pi() else arb.pi(), shape)
     return found.ball, found.angle
 
 
-def required_damping_at(alpha: Any, beta: Any, whole: int, part: Any, theta: Any) -> Any:
-    """What (5) asks of the damping at an angle, or in its limit at 0; balls or power series."""
-    if theta != 0:
-        return required_damping(alpha, beta, whole, part)(theta)
-    n = alpha * (part + whole + _HALF) - beta
-    return (n + (n * n + part * (1 - part) * alpha * alpha).sqrt()) / 2 if part != 0 else n
-
-
 def _bound(alpha: Any, beta: Any, part: Any, theta: Any) -> Any:
     """R (1 + rho)/2."""
-    sine, cosine = (theta * _HALF).sin(), (theta * _HALF).cos()
+    sine, cosine = (theta * HALF).sin(), (theta * HALF).cos()
     most = ((alpha * cosine / (2 * sine)) ** 2 + (alpha / 2 + beta) ** 2).sqrt()
     return most * (1 + (1 - 4 * part * (1 - part) * sine * sine).sqrt()) / 2
 
 
 class _Largest:
-    """The largest value of a function of an angle, over the pieces that are looked at."""
+    """The largest value of a function of an angle over pieces of its range."""
 
     def __init__(self, f: Callable[[Any], Any], size: Any) -> None:
         self.f, self.least = f, size * _LEAST
@@ -151,23 +124,17 @@ class _Largest:
                 left += [(middle, high), (low, middle)]
 
     def _top(self, piece: Any, look: Callable[[Any], Sequence[Any]]) -> Any:
-        """Where a concave function is largest: Newton's method on the slope, in balls."""
-        for _ in range(40):
-            middle = arb(piece.mid())
-            new = middle - look(middle)[1] / (2 * look(piece)[2])
-            if not new.overlaps(piece):  # the slope keeps its sign: the top is an end
-                return piece.upper() if new > piece else piece.lower()
-            new = new.intersection(piece)
-            if not new.rad() * 2 < piece.rad():
-                return new
-            piece = new
-        return piece
+        """Where a concave function is largest: where its slope is zero, or at an end."""
+        found = narrowed(lambda t: look(t)[1], lambda t: 2 * look(t)[2], piece)
+        if found is None:  # the slope keeps its sign
+            return piece.upper() if look(arb(piece.mid()))[1] > 0 else piece.lower()
+        return found
 
 
 def _near_zero(alpha: Any, beta: Any, whole: int, part: Any, t: Any) -> tuple[Any, Any]:
-    """The need and its slope, on a ball of angles below 1/8 of a half turn and around 0.
+    """The required damping and its slope for small angles, on a ball that contains 0.
 
-    The slope over t, where its sign is known: that of the slope.
+    If the sign of the slope over t is known, it is returned instead of the slope.
     """
 
     def sloped(x: Any) -> tuple[Any, Any]:
@@ -181,7 +148,7 @@ def _near_zero(alpha: Any, beta: Any, whole: int, part: Any, t: Any) -> tuple[An
     (near, near_slope), sine = sloped(t / 2), (t / 2).sin()
     needs = []
     for d in (whole,) if part == 0 else (whole, whole + 1):
-        long = d + _HALF
+        long = d + HALF
         (far, far_slope), turn = sloped(long * t), arb(d) + 1
         slope = long**2 * far_slope * near - near_slope * far / 4
         needs.append((
@@ -203,9 +170,9 @@ def _near_zero(alpha: Any, beta: Any, whole: int, part: Any, t: Any) -> tuple[An
 
 
 def crossing(f: Callable[[Any], Any], low: Any, high: Any, digits: int = 30) -> Any:
-    """The root of f between two numbers where it has different signs; NaN if it has not.
+    """The root of f between two numbers where f has different signs; NaN if the signs are equal.
 
-    The Illinois method, with a bisection now and then.
+    The Illinois method; each eighth step is a bisection.
     """
     at_low, at_high = f(low), f(high)
     if not (at_low > 0) ^ (at_high > 0):
@@ -230,7 +197,7 @@ def crossing(f: Callable[[Any], Any], low: Any, high: Any, digits: int = 30) -> 
 
 
 def touching(theta: Any, whole: int, part: Any, digits: int = 30) -> tuple[Any, Any]:
-    """The wall that is just passive for a damping of 1 and whose need has no slope at theta."""
+    """The wall that is just passive for a damping of 1 and whose worst angle is theta."""
 
     def wall(x: Any) -> tuple[Any, Any]:
         alpha = x.cos() / (whole + 1)
@@ -244,15 +211,18 @@ def touching(theta: Any, whole: int, part: Any, digits: int = 30) -> tuple[Any, 
     return alpha / need, beta / need
 
 
-def passive(theta: float, delta: float, d: float) -> tuple[Any, ...]:
-    """Of that wall, at a fraction of a period."""
-    found = touching(arb(theta), math.floor(d), arb(d) - math.floor(d))
-    return tuple(arb(delta) * x for x in found)
+def just_passive(theta: Any, delta: Any, d: Any) -> tuple[Any, ...]:
+    """The wall that is just passive, and whose worst angle is theta."""
+    whole, part = closed.split(d)
+    if closed.value(part) == 0:
+        return closed.envelope(theta, delta, d)
+    alpha, beta = touching(closed.value(theta), whole, closed.value(part))
+    return closed.ball(delta) * alpha, closed.ball(delta) * beta
 
 
 @cache
 def _stiffest(d: float) -> tuple[Any, Any, Any]:
-    whole, part = math.floor(d), arb(d) - math.floor(d)
+    whole, part = closed.split(d)
 
     def hinders(theta: Any) -> Any:
         alpha, beta = touching(theta, whole, part, 22)
@@ -267,66 +237,45 @@ def _stiffest(d: float) -> tuple[Any, Any, Any]:
 _STEP = arb(2) ** -40
 
 
-def stiffest_passive(delta: float, d: float) -> tuple[Any, ...]:
-    """The wall on it whose need does not change with beta: its stiffness is the largest."""
-    alpha, beta, theta = _stiffest(d)
-    return arb(delta) * alpha, arb(delta) * beta, theta
+def max_passive(delta: Any, d: Any) -> tuple[Any, ...]:
+    """The wall of maximum passive stiffness: its required damping does not change with beta."""
+    if closed.value(closed.split(d)[1]) == 0:
+        return closed.max_passive(delta, d)
+    alpha, beta, theta = _stiffest(float(closed.value(d)))
+    return closed.ball(delta) * alpha, closed.ball(delta) * beta, theta
 
 
 # -- the largest stable stiffness --------------------------------------------------------------
 
 
-def stiffest_stable(numbers: tuple[Any, ...], gamma: float, d: float) -> tuple[Any, ...]:
-    """The first maximum of alpha on -z^(l+1) A/M of a late device (m2, m1, m0, a, e)."""
+def max_stable(gamma: float, delta: float, d: float) -> tuple[Any, ...]:
+    """The first maximum of alpha on the boundary, with its beta and its angle; NaN if none."""
+    nothing = (arb("nan"),) * 3
     if gamma > 9.8 or (math.sqrt(gamma) * (d + 1) > math.pi and d > 1):
-        return (arb("nan"),) * 3
-    whole = math.floor(d)
-    m2, m1, m0, a, e = numbers
+        return nothing
+    whole, part = closed.split(d)
+    numbers = closed.delayed(gamma, delta, part)
 
-    def parts(t: Any) -> tuple[Any, Any]:
-        above, above_j = (1 + e) * t.cos() - a, (1 - e) * t.sin()
-        below, below_j = (m2 + m0) * t.cos() + m1, (m2 - m0) * t.sin()
-        cosine, sine = ((whole + 1) * t).cos(), ((whole + 1) * t).sin()
-        size = below * below + below_j * below_j
-        real = (above * below + above_j * below_j) / size
-        up = (above_j * below - above * below_j) / size
-        return up * sine - real * cosine, -(up * cosine + real * sine)
-
-    def alpha(t: Any) -> Any:
-        real, up = parts(t)
-        half = t * _HALF
-        return real - up * half.sin() / half.cos()
+    def rise(t: Any) -> Any:
+        return series(lambda x: closed.curve(x, numbers, whole)[0], t, 2)[1]
 
     end = arb.pi() / (arb(d) + 1) if d >= 1 else arb.pi()
-    shares = [(i + _HALF) / _MANY for i in range(_MANY)]
+    shares = [(i + HALF) / _MANY for i in range(_MANY)]
     shares += [1 - arb(2) ** -k for k in range(8, 60)]  # the maximum may be next to the end
     before = None
     for share in shares:
         angle = arb((end * share).mid())
-        rises = series(alpha, angle, 2)[1] > 0
+        rises = rise(angle) > 0
         if before is not None and not rises:
             break
         before = angle if rises else None
     else:
-        return _at_pi(parts) if d < 1 and before is not None else (arb("nan"),) * 3
-    theta = crossing(lambda t: arb(series(alpha, t, 2)[1].mid()), before, angle)
-    wall = alpha(theta), parts(theta)[1] / theta.sin()
+        at_pi = d < 1 and before is not None
+        return (*closed.curve(arb.pi(), numbers, whole), arb.pi()) if at_pi else nothing
+    theta = crossing(lambda t: arb(rise(t).mid()), before, angle)
+    alpha, beta = closed.curve(theta, numbers, whole)
+    softer = float((alpha - (alpha + gamma) / 10**6).mid())
     stiff = math.sqrt(gamma) * (d + 1) > math.pi
-    if stiff and not _all_inside(wall[0] - (wall[0] + gamma) / 10**6, wall[1], whole, numbers):
-        return (arb("nan"),) * 3
-    return *wall, theta
-
-
-def _all_inside(alpha: Any, beta: Any, whole: int, numbers: tuple[Any, ...]) -> bool:
-    """Whether the loop with this wall is stable, by all roots of its polynomial in z."""
-    m2, m1, m0, a, e = numbers
-    wall, moved = arb_poly([-beta, alpha + beta]), arb_poly([m0, m1, m2])
-    whole_loop = wall * moved + arb_poly([*[0] * (whole + 2), e, -a, 1])
-    exact = acb_poly([c.mid() for c in whole_loop.coeffs()])
-    return all(abs(root) < 1 for root in exact.roots())
-
-
-def _at_pi(parts: Callable[[Any], tuple[Any, Any]]) -> tuple[Any, Any, Any]:
-    """The end for delays below one period, where the imaginary part vanishes with sin(theta)."""
-    slope = series(lambda t: parts(t)[1], arb.pi(), 2)[1]
-    return parts(arb.pi())[0] + 2 * slope, -slope, arb.pi()
+    if stiff and not winding.stable(softer, float(beta.mid()), float(gamma), float(delta), d):
+        return nothing
+    return alpha, beta, theta

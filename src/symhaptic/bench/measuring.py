@@ -11,13 +11,16 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 from symhaptic.bench import functions, models, peers, tracing, verdicts
 from symhaptic.bench.functions import FUNCTIONS
 from symhaptic.bench.timing import METHOD
-from symhaptic.book.measured.record import SCHEMA
+from symhaptic.book.listing import replace
+from symhaptic.book.measured.record import SCHEMA, text
+from symhaptic.book.measured.tables import markdown
 from symhaptic.version import __version__
 
 
@@ -70,7 +73,7 @@ def sections(size: Size) -> dict[str, Iterator[dict[str, Any]]]:
 def measured(
     size: Size, told: Callable[[int, str], None] = lambda done, name: None
 ) -> dict[str, Any]:
-    """A whole record; ``told`` hears which section is under way."""
+    """A complete record; ``told`` is called with each section that begins."""
     begin = time.perf_counter()
     record: dict[str, Any] = {
         "schema": SCHEMA,
@@ -91,7 +94,7 @@ def measured(
 
 
 def _short(value: Any) -> Any:
-    """Numbers to three digits, and None for what is no number."""
+    """Numbers with three digits; None for infinite numbers and NaN."""
     if isinstance(value, dict):
         return {k: v if k in ("at", "threshold", "last") else _short(v) for k, v in value.items()}
     if isinstance(value, float):
@@ -99,8 +102,27 @@ def _short(value: Any) -> Any:
     return value
 
 
+FORMATS = ("png", "pdf", "svg")
+
+
+def write(record: dict[str, Any], folder: Path) -> bool:
+    """Write bench.json and bench.md; return whether Matplotlib is installed and drew the plots."""
+    folder.mkdir(parents=True, exist_ok=True)
+    replace(folder / "bench.json", text(record))
+    replace(folder / "bench.md", markdown(record))
+    if find_spec("matplotlib") is None:
+        return False
+    from symhaptic.book.figures.bench import drawings
+    from symhaptic.book.figures.passivity import save
+
+    for name, (draw, panels, height) in drawings(record).items():
+        for format in FORMATS:
+            save(draw, folder / f"{name}.{format}", panels, height)
+    return True
+
+
 def commit(folder: Path = Path(__file__).parent) -> str | None:
-    """That which is measured, with -dirty where files differ from it; None outside a checkout."""
+    """The commit that is measured, with -dirty if files have changed; None outside a checkout."""
     if not shutil.which("git"):
         return None
     said = subprocess.run(
@@ -128,7 +150,7 @@ def machine() -> dict[str, Any]:
 
 
 def versions() -> dict[str, str | None]:
-    """Of everything that is measured; None for what is not installed."""
+    """Versions of everything that is measured; None if it is not installed."""
     found: dict[str, str | None] = {"python": platform.python_version()}
     for name in ("numpy", "scipy", "sympy", "mpmath", "python-flint", "control"):
         try:

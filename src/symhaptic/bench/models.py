@@ -1,4 +1,4 @@
-"""What simpler models of the loop cost, and how far off the stiffness limit is that they give."""
+"""The time that simpler models of the loop take, and the errors of their stiffness limits."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from symhaptic.numeric.linear import linear_limit
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 
 SHARES = (0.0, 0.1, 0.25, 0.5, 0.75)
-"""Virtual damping, in parts of that of the stiffest wall of the full model."""
+"""Virtual damping, relative to that of the wall of maximum stiffness of the full model."""
 
 _HALVINGS = 60
 

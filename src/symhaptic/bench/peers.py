@@ -1,4 +1,4 @@
-"""The package beside other tools: the same question, one at a time and on arrays."""
+"""The package compared with other tools, for single numbers and for arrays."""
 
 from __future__ import annotations
 
@@ -13,10 +13,11 @@ import flint
 import numpy as np
 from flint import arb
 
-from symhaptic.bench import exact
+from symhaptic.bench import closed, winding
+from symhaptic.bench.exact import bits
 from symhaptic.bench.printed import function
 from symhaptic.bench.timing import seconds
-from symhaptic.bench.verdicts import known, near, table
+from symhaptic.bench.verdicts import known, near
 from symhaptic.export import request
 from symhaptic.numeric.plant import discretize
 from symhaptic.numeric.stability import is_stable, unstable_roots
@@ -29,7 +30,7 @@ _ON_ARRAYS = ("printed (14), NumPy",)
 
 @dataclass(frozen=True)
 class Task:
-    """A question: its points, how far off an answer is, and who answers."""
+    """A task: its points, the error of an answer, and the tools that answer."""
 
     name: str
     points: Sequence[Point]
@@ -39,7 +40,7 @@ class Task:
     peers: dict[str, Callable[..., Any] | None]
     """None for one that is not installed."""
     judged: Callable[..., Any] | None = None
-    """What the package answers, where that is more than what is timed."""
+    """The answer of the package, if that takes more than the function that is timed."""
 
 
 def tasks(count: int) -> list[Task]:
@@ -134,22 +135,22 @@ def _row(
 
 def _plant_error(point: Point, found: Any) -> float:
     """The largest relative error of n1 and n0."""
-    with flint.ctx.workprec(exact.bits(point)):
-        right = exact.device(*point)
+    with flint.ctx.workprec(bits(point)):
+        right = closed.device(*point)
         return max(
             float(abs(arb(float(x)) - y) / abs(y)) for x, y in zip(found[:2], right, strict=False)
         )
 
 
 def _margin_error(point: Point, found: Any) -> float:
-    """Relative, beside the first delay, by halving, with which the loop is not stable."""
+    """The relative error of a delay margin; the exact one is found by bisection."""
     with flint.ctx.workprec(_BITS):
         low, high = arb(0), arb(1)
-        while _stable_behind(high, *point):
+        while _stable_with(high, *point):
             low, high = high, 2 * high
         for _ in range(_HALVES):
             middle = (low + high) / 2
-            low, high = (middle, high) if _stable_behind(middle, *point) else (low, middle)
+            low, high = (middle, high) if _stable_with(middle, *point) else (low, middle)
         return float(abs(arb(float(found)) - low) / low)
 
 
@@ -157,17 +158,10 @@ _BITS = 256
 _HALVES = 64
 
 
-def _stable_behind(delay: arb, alpha: float, beta: float, gamma: float, delta: float) -> bool:
-    """By Jury's table in balls, for an exact delay."""
-    steps = int(delay.floor().unique_fmpz())
-    *top, a, e = exact.late(gamma, delta, delay - steps)
-    row = [arb(1), -a, e] + [arb(0)] * (steps + 2)
-    for i, m in enumerate(top):
-        row[i - 4] += m * (arb(alpha) + arb(beta))
-        row[i - 3] -= m * beta
-    found = table(row)
-    assert found is not None, "a delay in the midst of a boundary"
-    return found
+def _stable_with(delay: arb, alpha: float, beta: float, gamma: float, delta: float) -> bool:
+    """Whether the loop with an exact delay is stable, by its roots counted in balls."""
+    whole, part = closed.split(delay)
+    return winding.count(alpha, beta, gamma, winding.plant(gamma, delta, part), whole) == 0
 
 
 # -- the others ---------------------------------------------------------------------------
@@ -181,51 +175,52 @@ def by_scipy(gamma: float, delta: float) -> tuple[float, ...]:
     return top[0][1], top[0][2], -bottom[1], bottom[2]
 
 
-def by_control(gamma: float, delta: float) -> tuple[float, ...]:
-    """n1, n0, a and e."""
+def _control_device(gamma: float, delta: float) -> Any:
     import control
 
-    device = control.sample_system(control.tf([1], [1, delta, gamma]), 1.0, "zoh")
+    return control.sample_system(control.tf([1], [1, delta, gamma]), 1.0, "zoh")
+
+
+def by_control(gamma: float, delta: float) -> tuple[float, ...]:
+    """n1, n0, a and e."""
+    device = _control_device(gamma, delta)
     top, bottom = device.num[0][0], device.den[0][0]
     return top[-2], top[-1], -bottom[1], bottom[2]
 
 
-def _closed(alpha: float, beta: float, gamma: float, delta: float, delay: int) -> Any:
-    from scipy.signal import cont2discrete
-
-    top, bottom, _ = cont2discrete(([1.0], [1.0, delta, gamma]), 1.0, method="zoh")
-    p = np.concatenate([bottom, np.zeros(delay + 1)])
-    p[-3:] += np.convolve(top[0][1:], [alpha + beta, -beta])
+def _closed(alpha: float, beta: float, gamma: float, delta: float) -> Any:
+    """The characteristic polynomial for a delay of two periods."""
+    n1, n0, a, e = by_scipy(gamma, delta)
+    p = np.array([1.0, -a, e, 0.0, 0.0, 0.0])
+    p[-3:] += np.convolve([n1, n0], [alpha + beta, -beta])
     return p
 
 
-def stable_by_scipy(alpha: float, beta: float, gamma: float, delta: float) -> bool:
+def stable_by_scipy(*wall: float) -> bool:
     """The zeros of the characteristic polynomial."""
-    return bool(np.abs(np.roots(_closed(alpha, beta, gamma, delta, 2))).max() < 1)
+    return bool(np.abs(np.roots(_closed(*wall))).max() < 1)
 
 
-def stable_by_dlti(alpha: float, beta: float, gamma: float, delta: float) -> bool:
+def stable_by_dlti(*wall: float) -> bool:
     """The poles of a discrete system."""
     from scipy.signal import dlti
 
-    poles = dlti([1.0], _closed(alpha, beta, gamma, delta, 2), dt=1.0).poles
-    return bool(np.abs(poles).max() < 1)
+    return bool(np.abs(dlti([1.0], _closed(*wall), dt=1.0).poles).max() < 1)
 
 
 def stable_by_control(alpha: float, beta: float, gamma: float, delta: float) -> bool:
     """The poles of a feedback loop."""
     import control
 
-    device = control.sample_system(control.tf([1], [1, delta, gamma]), 1.0, "zoh")
     wall = control.tf([alpha + beta, -beta], [1, 0, 0, 0], 1.0)
-    return bool(np.abs(control.feedback(device, wall).poles()).max() < 1)
+    loop = control.feedback(_control_device(gamma, delta), wall)
+    return bool(np.abs(loop.poles()).max() < 1)
 
 
 def margin_by_control(alpha: float, beta: float, gamma: float, delta: float) -> float:
     """The phase margin over its frequency."""
     import control
 
-    device = control.sample_system(control.tf([1], [1, delta, gamma]), 1.0, "zoh")
-    loop = device * control.tf([alpha + beta, -beta], [1, 0], 1.0)
+    loop = _control_device(gamma, delta) * control.tf([alpha + beta, -beta], [1, 0], 1.0)
     _, phase, _, _, at, _ = control.stability_margins(loop)
     return float(math.radians(phase) / at)

@@ -27,7 +27,7 @@ DELAYS = [0.0, 1.0, 2.0, 5.0, 100.0, 1e6, 0.5, 1e-3, 0.1]
 
 
 _TELLS = 10_000
-"""Last places from the damping at which the stiffest wall leaves pi to the nearest one tried."""
+"""Least distance, in units in the last place, from the damping of :func:`leaving_pi`."""
 
 
 def hard(precision: Precision = DOUBLE) -> list[tuple[float, float]]:
@@ -106,7 +106,7 @@ def columns(
     if (form.plain or form).name == "max_stable_stiffness":  # there its angle is hard to find
         edge = np.flatnonzero(rng.random(count) < 0.2)
         both[edge, 0] = rng.uniform(0, 9.7, edge.size)
-        # nearer ones are at pi or not by less than a float of the plant tells
+        # nearer ones are decided by less than the rounding of the plant
         near = rng.uniform(math.log10(_TELLS * precision.ulp(1.0)), -1, edge.size)
         beside = 1 + rng.choice([-1.0, 1.0], edge.size) * 10**near
         both[edge, 1] = [leaving_pi(gamma) for gamma in both[edge, 0]] * beside

@@ -39,10 +39,10 @@ _UNITS[Symbol("omega_hat")] = theta
 
 @cache
 def expressions(form: Form, kind: str) -> tuple[Expr, ...]:
-    """What the paper prints, or what is derived in its place, for each result that it gives.
+    """The published or the derived formula of each result.
 
-    Written as it stands: only the units and, where they occur, the abbreviations (15) are filled
-    in.  Empty where the paper has no such formula.
+    Only the units and the abbreviations (15) are substituted.  Empty if the paper has no such
+    formula.
     """
     ids = STATEMENTS.get(form.name)
     if ids is None:
@@ -51,14 +51,14 @@ def expressions(form: Form, kind: str) -> tuple[Expr, ...]:
 
 
 def results(found: Sequence[Expr], short: str = "eq15") -> tuple[Expr, ...]:
-    """With the abbreviations filled in."""
+    """Formulas without abbreviations."""
     written = {line.lhs: line.rhs for line in PRINTED[short].printed}
     root = {c_1: written.pop(c_1)}
     return tuple(expr.xreplace(written).xreplace(root) for expr in found)
 
 
 def dimensionless(id: str, lines: Sequence[Any]) -> tuple[Expr, ...]:
-    """What these lines of an equation say of each result, in the parameters of Table I."""
+    """The formula of each result in the parameters of Table I."""
     return results(_READ.get(id, _sides)([placed(line) for line in lines]))
 
 
@@ -76,7 +76,7 @@ def function(form: Form, kind: str, modules: str) -> Callable[..., list[Any]]:
 
 
 def swings(form: Form, kind: str) -> bool:
-    """Whether square roots make the arithmetic complex."""
+    """Whether square roots make the numbers complex."""
     roots = (p for e in expressions(form, kind) for p in e.atoms(sp.Pow))
     return any(p.exp.is_Rational and not p.exp.is_Integer for p in roots)
 
@@ -112,7 +112,7 @@ def limit(lines: list[Any]) -> list[Expr]:
 
 
 def _coefficient(expr: Expr, power: int) -> Expr:
-    """Of z, by derivatives: nothing is multiplied out."""
+    """The coefficient of a power of z, by derivatives: nothing is expanded."""
     return sp.diff(expr, z, power).subs(z, 0) / sp.factorial(power)
 
 

@@ -1,4 +1,4 @@
-"""How long one evaluation takes, in the time of the processor: others may share the machine."""
+"""The processor time of one evaluation, since others may share the machine."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ METHOD = (
 
 def seconds(work: Callable[[], object], rounds: int = ROUNDS) -> float:
     """Time of a call: the least of several rounds, each of as many calls as fill it."""
-    work()  # what is made at the first call is not counted
+    work()  # the first call may compile or import
     calls, best = 1, float("inf")
     done = 0
     while done < rounds:

@@ -12,7 +12,7 @@ import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
-from symhaptic.bench.exact import EXACT
+from symhaptic.bench import closed, implicit
 from symhaptic.bench.points import Array
 from symhaptic.bench.timing import seconds
 from symhaptic.numeric.boundary import stability_boundary
@@ -100,35 +100,32 @@ def _near(delay: int) -> tuple[Array, Array]:
 def distance(point: Array, delay: int) -> float:
     """From a wall to the exact boundary: the curve, or the line alpha = -gamma.
 
-    The nearest of many points of the curve, and from there Newton's steps on the foot of the
-    perpendicular, with exact points.
+    Newton's method for the foot of the perpendicular begins at the nearest of many points of the
+    curve; the squared distance is a power series of the angle.
     """
     angles, curve = _near(delay)
-    start = float(angles[np.argmin(np.hypot(*(curve - point).T))])
     with flint.ctx.workprec(_BITS):
-        a, b = arb(float(point[0])), arb(float(point[1]))
+        theta = arb(float(angles[np.argmin(np.hypot(*(curve - point).T))]))
+        alpha, beta = map(float, point)
+        found = [abs(arb(alpha) + GAMMA)]
 
-        def off(theta: arb) -> tuple[arb, arb]:
-            x, y = EXACT["stability_boundary"](theta, GAMMA, DELTA, float(delay))
-            return x.mid() - a, y.mid() - b
+        def squared(angle: Any) -> Any:
+            x, y = closed.curve(angle, _device(), delay)
+            return (x - alpha) * (x - alpha) + (y - beta) * (y - beta)
 
-        def slope(theta: arb) -> arb:
-            """Of half the squared distance."""
-            h = arb(2) ** -60
-            (x, y), (x1, y1), (x0, y0) = off(theta), off(theta + h), off(theta - h)
-            return (x * (x1 - x0) + y * (y1 - y0)) / (2 * h)
-
-        theta, step = arb(start), arb(10) ** -9
         for _ in range(12):
-            here = slope(theta)
-            turn = (slope(theta + step) - here) / step
-            if not turn > 0:
+            square = implicit.series(squared, theta, 3)
+            if square[0].is_finite():
+                found.append(arb(square[0].mid()).sqrt())
+            if not square[2] > 0:
                 break
-            moved = (theta - here / turn).mid()
-            theta, gone = moved, abs(moved - theta)
-            if gone < arb(2) ** -100:
+            before, theta = theta, (theta - square[1] / (2 * square[2])).mid()
+            if abs(theta - before) < arb(2) ** -100:
                 break
-        ends = [off(arb(start)), off(theta)]
-        found = [float((x * x + y * y).sqrt().mid()) for x, y in ends]
-        line = float(abs(a + arb(GAMMA)))
-    return min(line, *(f for f in found if math.isfinite(f)))
+        return min(float(f.mid()) for f in found)
+
+
+@cache
+def _device() -> tuple[arb, ...]:
+    """The exact numbers of the device, without a fraction of a period."""
+    return closed.delayed(GAMMA, DELTA, 0)

@@ -1,4 +1,4 @@
-"""Stability of walls close to the boundary: eigenvalues, Jury's table and the counted roots."""
+"""Stability of walls close to the boundary: eigenvalues, Jury's table and root counts."""
 
 from __future__ import annotations
 
@@ -9,12 +9,10 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-import flint
 import numpy as np
-from flint import arb
 from numpy.typing import NDArray
 
-from symhaptic.bench.exact import device
+from symhaptic.bench import winding
 from symhaptic.bench.exported import compiled
 from symhaptic.bench.points import Array
 from symhaptic.bench.printed import function
@@ -25,56 +23,16 @@ from symhaptic.numeric.plant import discretize
 from symhaptic.numeric.stability import is_stable, unstable_roots
 
 DISTANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-14)
-"""Relative distances from the boundary, along the line to the wall without any forces."""
+"""Relative distances from the boundary, towards alpha = beta = 0 and away from it."""
 
 _SIZES = {"eigenvalues": 2, "(14) as printed": 2, "Jury table": 200}
-"""Walls that are timed together by what is slow."""
+"""Number of walls that slow methods are timed with."""
 
-_BITS = 256
 Walls = tuple[Array, Array, Array, Array]
 """alpha, beta, gamma and delta."""
 
 Plant = Callable[[Array, Array], Sequence[Array]]
 """n1, n0, a and e from gamma and delta."""
-
-
-def stable(alpha: float, beta: float, gamma: float, delta: float, delay: int) -> bool:
-    """The truth: Jury's table in balls, with as many bits as it takes.
-
-    >>> stable(5.0, 1.0, 0.0, 0.0, 0), stable(0.5, 1.0, 0.0, 0.0, 0)
-    (False, True)
-    """
-    bits = _BITS
-    while True:
-        with flint.ctx.workprec(bits):
-            decided = table(polynomial(alpha, beta, gamma, delta, delay))
-        if decided is not None:
-            return decided
-        bits *= 2
-
-
-def polynomial(
-    alpha: float, beta: float, gamma: float, delta: float, delay: int
-) -> list[arb]:  # fmt: skip
-    """Coefficients in balls, the highest power first."""
-    n1, n0, a, e = device(gamma, delta)
-    al, be = arb(alpha), arb(beta)
-    row = [arb(0)] * (delay + 4)
-    row[0], row[1], row[2] = arb(1), -a, e
-    row[-3] += n1 * (al + be)
-    row[-2] += n0 * (al + be) - n1 * be
-    row[-1] += -n0 * be
-    return row
-
-
-def table(row: list[arb]) -> bool | None:
-    """Whether all its zeros lie inside the unit circle; None where the balls are too wide."""
-    while len(row) > 1:
-        share = row[-1] / row[0]
-        if not abs(share) < 1:
-            return False if abs(share) >= 1 else None
-        row = [x - share * y for x, y in zip(row[:-1], row[:0:-1], strict=True)]
-    return True
 
 
 def near(delay: int, distance: float, count: int, seed: int = 5) -> tuple[Walls, NDArray[np.bool_]]:
@@ -93,10 +51,10 @@ def near(delay: int, distance: float, count: int, seed: int = 5) -> tuple[Walls,
         theta = rng.uniform(0.02, 1) * np.pi / (2 * delay + 2)
         alpha, beta = (float(v) for v in stability_boundary(theta, gamma, delta, delay))
         sides = [(alpha * (1 + s), beta * (1 + s), gamma, delta) for s in (-distance, distance)]
-        found = [stable(*side, delay) for side in sides]
+        found = [winding.stable(*side, delay) for side in sides]
         if found == [True, False]:
             rows += sides
-            truth += found
+            truth += [True, False]
     columns = np.array(rows).T
     return (columns[0], columns[1], columns[2], columns[3]), np.array(truth)
 
@@ -114,7 +72,7 @@ def coefficients(walls: Walls, delay: int, plant: Plant = discretize) -> Array:
 
 
 def by_roots(rows: Array) -> Array:
-    """``numpy.roots`` of one polynomial after the other; NaN, refused, where one is not known."""
+    """``numpy.roots`` of one polynomial after the other; NaN if a coefficient is not finite."""
     known = np.isfinite(rows.sum(axis=1))
     return np.array(
         [np.abs(np.roots(r)).max() < 1 if k else np.nan for r, k in zip(rows, known, strict=True)]
@@ -140,7 +98,7 @@ Way = Callable[[Walls, int], Any]
 
 
 def methods(folder: Path) -> dict[str, tuple[Way, Way]]:
-    """Each method's verdicts on walls, NaN for a wall that it refuses, and what is timed."""
+    """The verdicts of each method (NaN: refused), and the function that is timed."""
     (plant,) = request.chosen(["discretize"])
     paper = function(plant, "printed", "numpy")
 

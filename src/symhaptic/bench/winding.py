@@ -20,7 +20,8 @@ import flint
 import numpy as np
 from flint import acb, acb_poly, arb, arb_poly
 
-from symhaptic.bench.exact import device, late
+from symhaptic.bench.closed import delayed, device
+from symhaptic.bounds.newton import narrowed
 
 BITS = (160, 320, 640, 1280, 2560)
 """Working precisions, tried one after the other."""
@@ -31,7 +32,7 @@ class Undecided(ArithmeticError):
 
 
 class Plant(NamedTuple):
-    """M, A and what a difference of their coefficients would lose."""
+    """Coefficients of M and A, and numbers that their differences would lose digits of."""
 
     m2: Any
     m1: Any
@@ -45,8 +46,8 @@ class Plant(NamedTuple):
 
 
 def plant(gamma: float, delta: float, part: Any) -> Plant:
-    """The device behind a fraction of a period."""
-    m2, m1, m0, a, e = late(gamma, delta, part)
+    """The device with a delay of a fraction of a period."""
+    m2, m1, m0, a, e = delayed(gamma, delta, part)
     n1, n0 = device(gamma, delta)[:2]
     return Plant(m2, m1, m0, a, e, n1 + n0, -(-arb(delta)).expm1())
 
@@ -58,7 +59,7 @@ _plants = lru_cache(maxsize=4096)(lambda gamma, delta, part, bits: plant(gamma, 
 
 
 def unstable(alpha: float, beta: float, gamma: float, delta: float, delay: float) -> int | None:
-    """How many roots lie outside, or None where no precision decides.
+    """The number of roots outside, or None if no precision decides it.
 
     >>> unstable(5.0, 1.0, 0.0, 0.0, 0.0), unstable(0.5, 1.0, 0.0, 0.0, 0.0)
     (2, 0)
@@ -77,7 +78,7 @@ def unstable(alpha: float, beta: float, gamma: float, delta: float, delay: float
 
 
 def stable(alpha: float, beta: float, gamma: float, delta: float, delay: float) -> bool | None:
-    """Whether all roots lie inside; None where no precision decides."""
+    """Whether all roots lie inside; None if no precision decides it."""
     if on_circle(alpha, beta, gamma, delta):
         return False
     outside = unstable(alpha, beta, gamma, delta, delay)
@@ -90,7 +91,7 @@ def on_circle(alpha: float, beta: float, gamma: float, delta: float) -> bool:
 
 
 def count(alpha: Any, beta: Any, gamma: Any, x: Plant, whole: Any) -> int:
-    """The number of roots outside behind ``whole`` periods; every number may be a ball.
+    """The number of roots outside with a delay of ``whole`` periods; each argument may be a ball.
 
     Raises :class:`Undecided`.
     """
@@ -163,7 +164,7 @@ def between(row: list[Any], tol: Any = None) -> list[Any]:
 
 
 def _divided(whole: Any) -> list[Any]:
-    """The same by dividing (0, 4) into pieces on which the polynomial has no zero or a slope."""
+    """The same by dividing (0, 4) into pieces where the polynomial has no zero or is monotone."""
     slope, left = whole.derivative(), [(arb(0), arb(4))]
     found: list[Any] = []
     for _ in range(_PIECES):
@@ -184,18 +185,10 @@ def _divided(whole: Any) -> list[Any]:
 
 def _newton(row: Any, slope: Any, y: Any) -> Any:
     """A ball with one zero made smaller."""
-    while True:
-        middle = arb(y.mid())
-        rise = slope(y)
-        if not (rise > 0 or rise < 0):
-            return y
-        new = middle - row(middle) / rise
-        if not new.overlaps(y):
-            raise Undecided
-        new = new.intersection(y)
-        if not new.rad() * 2 < y.rad():
-            return new
-        y = new
+    found = narrowed(row, slope, y)
+    if found is None:
+        raise Undecided
+    return found
 
 
 def _angle(real: Any, up: Any, y: Any) -> tuple[Any, int | None]:
@@ -238,11 +231,11 @@ _NARROW = 1e-9
 """Share of the delay margin up to which every smaller delay is shown to be stable."""
 
 _RANGES = 600
-"""Ranges of delays that are looked at before a margin counts as not decided."""
+"""The largest number of ranges of delays; with more, a margin is not decided."""
 
 
 def largest_delay(alpha: float, beta: float, gamma: float, delta: float, most: float) -> Any:
-    """The delay up to which the loop is stable, in a ball; None where none is decided.
+    """The delay up to which the loop is stable, in a ball; None if it is not decided.
 
     0 for a loop that is not stable without delay, infinite for one that every delay leaves stable.
     Every delay before the ball is shown to be stable, in ranges that are divided where the balls
@@ -269,7 +262,7 @@ def largest_delay(alpha: float, beta: float, gamma: float, delta: float, most: f
 
 
 def _bisected(alpha: float, beta: float, gamma: float, delta: float, low: float) -> Any:
-    """Between a stable delay and one that is not, a few last places apart, or None."""
+    """A ball from a stable to an unstable delay, a few units in the last place apart, or None."""
     high = low * (1 + 64 * _NARROW)
     if stable(alpha, beta, gamma, delta, high) is not False:
         return None
@@ -289,7 +282,7 @@ def _doubling(most: float) -> list[tuple[float, float]]:
 
 
 def _middle(low: float, high: float) -> float:
-    """Whole where more than one period lies between."""
+    """The middle, rounded down if the range is longer than a period."""
     middle = (low + high) / 2
     return math.floor(middle) if high - low > 1 else middle
 
@@ -310,7 +303,7 @@ def _all_stable(
 
 
 def _never_leads(alpha: float, beta: float, gamma: float, delta: float, pieces: int = 64) -> bool:
-    """Whether the device is stronger than the wall at every angle, behind every fraction."""
+    """Whether |A| > |M W| at all angles, for all fractional delays."""
     for i in range(pieces):
         part = (arb(i) / pieces).union(arb(i + 1) / pieces)
         x = plant(gamma, delta, part)

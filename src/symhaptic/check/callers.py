@@ -1,6 +1,6 @@
-"""Somebody's function, from Python, a shared library or a command, as one that takes points.
+"""A user's function, from Python, a shared library or a command, as one that takes points.
 
-It runs in a process of its own (:mod:`symhaptic.check.apart`), which ends with all that it has
+It runs in a process of its own (:mod:`symhaptic.check.worker`), which ends with all that it has
 started when the time is up, when it prints too much, and when this process ends.
 """
 
@@ -21,24 +21,24 @@ from threading import Thread
 from time import monotonic
 from typing import Any, Self
 
-from symhaptic.check import apart
-from symhaptic.check.apart import Points
+from symhaptic.check import worker
+from symhaptic.check.worker import Points
 
 SECONDS, MEMORY = 60.0, 4.0
-"""The most time and memory (GiB) that somebody's code gets."""
+"""Limits of time (s) and memory (GiB) of the user's code."""
 
 _OUTPUT, _LINE = 1 << 20, 1 << 10
-"""Bytes that may be printed, and more of them for each point."""
+"""Limits of the printed bytes: in total, and in addition for each point."""
 
 _GRACE = 2.0
-"""Seconds in which a function without an error has to end."""
+"""Seconds in which a correct function has to end after the last point."""
 
 Values = list[tuple[float, ...]]
 
 
 def called(function: Callable[..., Any]) -> Callable[[Points], Values]:
     """A function of this process, as pytest has it."""
-    return lambda points: list(apart.called(function, points))
+    return lambda points: list(worker.called(function, points))
 
 
 class Theirs(ExitStack):
@@ -131,7 +131,7 @@ class Theirs(ExitStack):
         return None
 
     def _started(self, **streams: Any) -> subprocess.Popen[bytes]:
-        program = [sys.executable, "-P", apart.__file__, self.kind, *map(str, self.limits)]
+        program = [sys.executable, "-P", worker.__file__, self.kind, *map(str, self.limits)]
         program += [str(self.said.parent), *self.words]
         with open(self.said, "wb") as said:
             return subprocess.Popen(program, stderr=said, start_new_session=True, **streams)

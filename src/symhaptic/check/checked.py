@@ -1,4 +1,4 @@
-"""What can be checked: arguments and where they lie, exact values, and the size of an error."""
+"""What can be checked: ranges of arguments, exact values, and the unit of an error."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Point = tuple[float, ...]
 
 @dataclass(frozen=True)
 class Argument:
-    """Where the values of an argument lie."""
+    """The range of an argument."""
 
     low: float
     high: float
@@ -51,7 +51,7 @@ class Checked:
     results: tuple[str, ...]
     exact: Exact
     near: Exact | None
-    """Nearly the same on arrays, fast: it shows where to look, and decides nothing."""
+    """A fast approximation on arrays: it selects points, and decides nothing."""
     scale: Exact | None = None
     """The size of the terms that cancel in each result, by which an error is measured."""
     balls: int = 1000
@@ -67,7 +67,7 @@ class Checked:
     derived: Callable[[dict[str, Any]], dict[str, Any]] = dict
     """Arguments of what is drawn, such as a frequency of an angle."""
     refused: Callable[..., bool] = lambda *point: False
-    """Where NaN is no error."""
+    """Points at which NaN is no error."""
     refutes: Callable[[Point, Sequence[float]], str] | None = None
     """What refutes results at a point without exact values; empty where nothing does."""
     no_answer: float | None = None
@@ -75,7 +75,7 @@ class Checked:
     hard: Callable[..., bool] = lambda *point: True
     """Which points are hard; ordinary ones never are."""
     open: tuple[str, ...] = ()
-    """What no point covers, in words."""
+    """What no point covers, as text."""
 
 
 FLAT = 1e8

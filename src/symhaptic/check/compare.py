@@ -1,4 +1,4 @@
-"""The worst error in units in the last place, where it is, and the plainest place where it is.
+"""The worst error in units in the last place, its arguments, and simpler arguments with an error.
 
 All points are compared with the package's own numbers, which takes little.  Exact values, in balls,
 are computed beside boundaries, where the function differs most from these numbers, and at other
@@ -29,7 +29,7 @@ _SECONDS = 5.0
 """Time that a function gets before it is called at fewer points."""
 
 _PLAIN = 2.0
-"""Time in which plainer arguments are sought."""
+"""Time for the search of simpler arguments."""
 
 _FIRST = 50
 """Points of the first call, and a third of those of the second, and so on."""
@@ -115,7 +115,7 @@ def compared(
 
 
 def _called(call: Caller, some: list[Point], seconds: float) -> list[Point]:
-    """Results at the first points, more and more at once, until the time is used up."""
+    """Results at the first points, in growing batches, until the time is used up."""
     found: list[Point] = []
     size, begin = _FIRST if seconds < math.inf else len(some), perf_counter()
     while len(found) < len(some):
@@ -131,7 +131,7 @@ def _called(call: Caller, some: list[Point], seconds: float) -> list[Point]:
 
 
 def _given(checked: Checked, got: list[Point]) -> int:
-    """How many results the function gives, everywhere but where it gives none."""
+    """The number of results of the function at points where it gives any."""
     counts = [len(g) for g in got if g] or [len(checked.results)]
     given, most = min(counts), max(counts)
     if given != most:
@@ -273,7 +273,7 @@ def plainest(
     over: Range,
     seconds: float = _PLAIN,
 ) -> tuple[Point, Point]:
-    """The plainest arguments that are reached, one after the other, while it stays wrong.
+    """The simplest arguments that are found, one after the other, at which the function is wrong.
 
     With what the function gives there.
     """
@@ -312,7 +312,7 @@ def _wrong(checked: Checked, at: Point, got: Point, ulp: float) -> bool:
 
 
 def _plainer(value: float) -> list[float]:
-    """Values with less to read, the plainest first."""
+    """Values with fewer digits, the simplest first."""
     plain = [0.0, 1.0, 2.0, 0.5]
     plain += [10.0 ** math.floor(math.log10(abs(value)))] if value else []
     plain += [float(f"{value:.{n}g}") for n in range(1, 17)]

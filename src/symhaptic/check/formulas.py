@@ -152,12 +152,6 @@ def _passive(*wall: float) -> tuple[Any, ...]:
     return (None if margin.contains(0) else bool(margin > 0),)
 
 
-def _margin_at(theta: Any, alpha: Any, beta: Any, delta: Any, d: float) -> tuple[Any, ...]:
-    """At a fraction of a period for the motion that needs most."""
-    wall = arb(alpha), arb(beta), math.floor(d), arb(d) - math.floor(d)
-    return (arb(delta) - implicit.required_damping_at(*wall, arb(theta)),)
-
-
 def _is_simple(gamma: float, delta: float, d: float) -> bool:
     """Whether the first maximum of the boundary is the largest stable stiffness."""
     return gamma <= 9.8 and (d <= 1 or math.sqrt(gamma) * (d + 1) <= math.pi)
@@ -343,8 +337,8 @@ FUNCTIONS = (
             _one(passivity.is_passive), balls=600, border=_beside_passive),
     Checked("passivity_margin", _args("alpha beta delta d"), ("margin",),
             EXACT["passivity_margin"], _one(passivity.passivity_margin), _wall, balls=500),
-    Checked("passivity_margin_at", _args("theta alpha beta delta d"), ("margin",), _margin_at,
-            _one(passivity.passivity_margin_at), _wall_at),
+    Checked("passivity_margin_at", _args("theta alpha beta delta d"), ("margin",),
+            EXACT["passivity_margin_at"], _one(passivity.passivity_margin_at), _wall_at),
     Checked("passivity_boundary",
             _args("theta delta d", delta=replace(ARGUMENTS["delta"], special=(0.0, 1e-16, 1.0))),
             ("alpha", "beta"), EXACT["passivity_boundary"], passivity.passivity_boundary,

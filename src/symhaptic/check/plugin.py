@@ -33,7 +33,7 @@ class Agreement:
         """
         from symhaptic.check.callers import called
         from symhaptic.check.compare import compared
-        from symhaptic.check.told import Report, text
+        from symhaptic.check.report import Report, text
 
         if points is not None and points < 1:
             raise ValueError(f"points: {points} is not positive; give 1 or more")

@@ -104,7 +104,7 @@ def check(
 
     Exit status: 0 if it agrees, 1 if it differs, 2 for bad usage.
     """
-    from symhaptic.check import told
+    from symhaptic.check import report
     from symhaptic.check.callers import Theirs, python_name
     from symhaptic.check.compare import POINTS, compared
     from symhaptic.check.formulas import CHECKED
@@ -162,8 +162,8 @@ def check(
     except ValueError as wrong:
         said = str(wrong).replace("the function ", f"--{kind} {name}: ", 1)
         refuse(said if said.startswith("-") else f"--over: {said}")
-    report = told.Report(found, name, perf_counter() - begin, theirs.place())
-    _tell(told.FORMATS[format](report), output)
+    result = report.Report(found, name, perf_counter() - begin, theirs.place())
+    _tell(report.FORMATS[format](result), output)
     if not found.agrees:
         raise typer.Exit(1)
 
@@ -207,10 +207,10 @@ def _narrower(checked: Checked, over: list[str]) -> dict[str, tuple[float, float
 
 def _exact_table(checked: Checked, points: int, narrower: dict[str, tuple[float, float]]) -> str:
     """Points and exact values."""
-    from symhaptic.check import told
+    from symhaptic.check import report
 
     try:
-        return told.exact_table(checked, points, narrower)
+        return report.exact_table(checked, points, narrower)
     except ValueError as wrong:
         refuse(f"--over: {wrong}")
 

@@ -47,7 +47,6 @@ def bench(
     for library in ("OPENBLAS", "MKL", "OMP"):  # one thread, whatever the library
         os.environ.setdefault(f"{library}_NUM_THREADS", "1")
     from symhaptic.bench import measuring
-    from symhaptic.bench import output as written
     from symhaptic.book.measured.record import FIELDS
 
     with progress(len(FIELDS)) as told:
@@ -55,7 +54,7 @@ def bench(
             measuring.QUICK if quick else measuring.FULL, lambda done, name: told(done, Path(name))
         )
     try:
-        drawn = written.write(found, output)
+        drawn = measuring.write(found, output)
     except OSError as wrong:
         no_folder(output, wrong.strerror)
     what = ", tables and plots" if drawn else " and tables"

@@ -15,11 +15,11 @@ from typing import Any
 from symhaptic.export.precision import PRECISIONS, Precision
 
 MEASURED_ON = "glibc 2.36 x86_64 96a68562"
-"""Whose sines and exponentials the figures rest on, as `bench/libm.py` tells it; with another
+"""Whose sines and exponentials the figures rest on, as `tests/libm.py` tells it; with another
 library they differ in the last places, and only the goals hold."""
 
 MUSL = "musl 1.2.3"
-"""The other library that they were measured with, as `bench/libm.py` tells it."""
+"""The other library that they were measured with, as `tests/libm.py` tells it."""
 
 
 @dataclass(frozen=True)

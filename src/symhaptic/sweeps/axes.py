@@ -11,7 +11,7 @@ from symhaptic.notation.quantities import dimensionless, in_unit, shown
 from symhaptic.notation.suggest import suggested
 from symhaptic.numeric import arguments
 from symhaptic.scene.scene import Scene
-from symhaptic.sweeps.plan import REDUCTIONS, Input, Plan, Variable, lengths_of
+from symhaptic.sweeps.plan import REDUCTIONS, Plan, Variable, lengths_of
 from symhaptic.sweeps.quantities import IN_SI, INPUTS, Meaning, Result, Work, work_of
 
 _PINT = {"N/m": "N/m", "Ns/m": "N*s/m", "1": "", "kg": "kg", "s": "s", "Hz": "Hz"}
@@ -31,11 +31,13 @@ def plan_of(
     reduce: str | Sequence[str],
     chunks: int | Mapping[str, int] | None,
     axes: Mapping[str, Any],
-) -> tuple[Plan, dict[str, Any]]:
-    """The plan, and the coordinates of its result.
+) -> Plan:
+    """What is computed, where, and in which blocks.
 
     Raises :class:`ValueError` for what is impossible.
     """
+    import xarray
+
     scene_or_none(scene)
     work = work_of(quantity, axes, scene)
     given = {n: v for n, v in axes.items() if n not in work.words}
@@ -43,15 +45,13 @@ def plan_of(
         given = _of_scene(scene, work, given)
     meanings = IN_SI if scene is not None else INPUTS
     _named(work, given)
-    inputs: dict[str, Input] = {}
     coords: dict[str, Any] = {}
-    for name, value in given.items():
-        inputs[name], more = _input(name, value, meanings.get(name), bool(work.results))
-        for label, coord in more.items():
-            _agree(name, label, coords.setdefault(label, coord), coord)
     sizes: dict[str, int] = {}
-    for name, (dims, values) in inputs.items():
-        for dim, size in zip(dims, values.shape, strict=True):
+    for name, value in given.items():
+        made = _coordinates(name, value, meanings.get(name), bool(work.results))
+        for label, coord in made.items():
+            _agree(name, label, coords.setdefault(label, coord), coord)
+        for dim, size in zip(made[name].dims, made[name].shape, strict=True):
             if sizes.setdefault(dim, size) != size:
                 raise ValueError(f"{name}: {size} values along {dim!r} are not allowed; "
                                  f"give {sizes[dim]}")  # fmt: skip
@@ -65,31 +65,24 @@ def plan_of(
         raise ValueError(f"over: {along!r} with reduce={reduced!r} is not allowed; "
                          "give both or none")  # fmt: skip
     stay = {d: n for d, n in sizes.items() if d not in along}
-    gone = {d: sizes[d] for d in along}
+    first = {n: coords[n].values.reshape(-1)[0] for n in given}
     variables = tuple(
         _variable(i, result, work.statement, word, reduced, along)
-        for i, result in enumerate(_results(work, inputs))
+        for i, result in enumerate(work.results or _results(work, first))
         for word in (reduced or ("",))
     )
-    coords = {n: c for n, c in coords.items() if not set(c[0]) & set(along)}
-    for taken in {v.name for v in variables} & {*stay, *coords}:
+    kept = {n for n, c in coords.items() if not set(c.dims) & set(along)}
+    for taken in {v.name for v in variables} & {*stay, *kept}:
         raise ValueError(f"{taken}: a dimension or coordinate of this name is not allowed; "
                          "a result has this name")  # fmt: skip
-    plan = Plan(
-        work, inputs, {**stay, **gone}, tuple(stay), along, variables,
-        lengths_of(stay, gone, _chunks(chunks, stay)),
-    )  # fmt: skip
-    return plan, coords
+    lengths = lengths_of(stay, {d: sizes[d] for d in along}, _chunks(chunks, stay))
+    dataset = xarray.Dataset(coords=coords)
+    return Plan(work, tuple(given), dataset, tuple(stay), along, variables, lengths)
 
 
 def _agree(name: str, label: str, known: Any, coord: Any) -> None:
-    """Refuse labels that are others than those of an argument before: values stand by place."""
-    if known is coord:
-        return
-    from xarray import DataArray
-
-    one, other = (DataArray(values, dims=dims) for dims, values, _ in (known, coord))
-    if not one.equals(other):
+    """Refuse labels that differ from those of an argument before: values stand by place."""
+    if not known.equals(coord):
         raise ValueError(f"{name}: its labels {label!r} are not allowed; another argument "
                          "has others")  # fmt: skip
 
@@ -130,13 +123,12 @@ def _named(work: Work, given: Mapping[str, Any]) -> None:
         raise ValueError(f"{lacking[0]}: is missing; {work.says} takes {', '.join(allowed)}")
 
 
-def _input(
-    name: str, value: Any, meaning: Meaning | None, known: bool
-) -> tuple[Input, dict[str, Any]]:
-    """One argument, and the coordinates that it makes."""
-    said = meaning.attributes if meaning else {}
+def _coordinates(name: str, value: Any, meaning: Meaning | None, known: bool) -> dict[str, Any]:
+    """An argument, and the labels that it has, as variables with dimensions."""
+    import xarray
+
     kind = type(value).__module__.partition(".")[0]
-    more: dict[str, Any] = {}
+    found: dict[str, Any] = {}
     if kind == "pandas" and hasattr(value, "to_xarray"):
         value, kind = value.to_xarray(), "xarray"
     if kind == "dask" or isinstance(value, np.ma.MaskedArray):
@@ -144,11 +136,11 @@ def _input(
                          "masks")  # fmt: skip
     dims: tuple[str, ...] | None = None
     if kind == "xarray":
-        if not hasattr(value, "coords") or hasattr(value, "data_vars"):
+        if not isinstance(value, xarray.DataArray):
             raise ValueError(f"{name}: {shown(value)} is not allowed; give xarray's DataArrays")
         dims = tuple(map(str, value.dims))
-        more = {str(n): (c.dims, c.values, c.attrs) for n, c in value.coords.items()
-                if c.dims and set(c.dims) <= set(dims)}  # fmt: skip
+        found = {str(n): xarray.Variable(c.dims, c.values, c.attrs)
+                 for n, c in value.coords.items() if c.dims}  # fmt: skip
         value = value.data
         kind = type(value).__module__.partition(".")[0]
     if kind == "pint":
@@ -164,7 +156,8 @@ def _input(
         dims = (name,) if array.ndim else ()
     if not array.size:
         raise ValueError(f"{name}: no values are not allowed; give one or more")
-    return Input(dims, array), {**more, name: (dims, array, said)}
+    said = meaning.attributes if meaning else {}
+    return {**found, name: xarray.Variable(dims, array, said)}
 
 
 def _check(name: str, array: Any) -> None:
@@ -179,11 +172,8 @@ def _check(name: str, array: Any) -> None:
         arguments.check(name, array, np)
 
 
-def _results(work: Work, inputs: Mapping[str, Input]) -> tuple[Result, ...]:
-    """What it gives; of a function of the user's own, by asking for one point."""
-    if work.results:
-        return work.results
-    first = {n: values.reshape(-1)[0] for n, (_, values) in inputs.items()}
+def _results(work: Work, first: Mapping[str, Any]) -> tuple[Result, ...]:
+    """What a function of the user's own gives, by asking for the first point."""
     found = work.function(**first, **work.words)
     several = found if isinstance(found, tuple) else (found,)
     names = getattr(found, "_fields", None) or [

@@ -1,4 +1,4 @@
-r"""A sweep as blocks that know nothing of each other.
+r"""A sweep as independent blocks.
 
 All points are the product of named dimensions.  Blocks are cut from the dimensions that stay; one
 block goes through all of those that are reduced, tile by tile and always in the same order, so that
@@ -9,11 +9,10 @@ from __future__ import annotations
 
 import hashlib
 import itertools
-import json
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +22,9 @@ from symhaptic.numeric.compiled import kernels_used
 from symhaptic.sweeps.marks import package
 from symhaptic.sweeps.quantities import Work
 
+if TYPE_CHECKING:
+    import xarray
+
 POINTS = 2**22
 """Points of a block, those that are reduced counted: seconds of work, some 30 MB of results."""
 
@@ -31,13 +33,13 @@ _TILE = 2**17
 
 
 class Reduction(NamedTuple):
-    """What becomes of the values along the dimensions that do not stay."""
+    """A reduction of values along dimensions."""
 
     combine: np.ufunc
     kind: type | None
-    """Of what it takes; None for numbers and counts."""
+    """The kind of values that it reduces; None for numbers and counts."""
     method: str
-    """What the conventions for climate and forecast call it, in ``cell_methods``."""
+    """Its name in ``cell_methods`` of the CF conventions."""
 
 
 REDUCTIONS = {
@@ -50,21 +52,14 @@ REDUCTIONS = {
 }
 
 
-class Input(NamedTuple):
-    """One argument: its values along the dimensions that it has."""
-
-    dims: tuple[str, ...]
-    values: NDArray[np.float64]
-
-
 class Variable(NamedTuple):
-    """One result as it is kept."""
+    """One variable of the result."""
 
     name: str
     source: int
     """Which of the function's results it is."""
     word: str
-    """Its reduction, or nothing."""
+    """Its reduction, or an empty string."""
     dtype: np.dtype[Any]
     attributes: dict[str, str]
 
@@ -74,21 +69,16 @@ class Piece:
     """A block with all that is needed to compute it."""
 
     index: tuple[int, ...]
-    begin: tuple[int, ...]
-    """Where it stands among the dimensions that stay."""
+    region: tuple[slice, ...]
+    """Its place in the result."""
     work: Work
     inputs: Mapping[str, NDArray[np.float64]]
-    """As arrays of all dimensions, of length 1 where they have not got one."""
+    """Arrays of all dimensions, of length 1 where an argument does not have one."""
     shape: tuple[int, ...]
     """Points along all dimensions, those that stay first."""
     variables: tuple[Variable, ...]
     made: Mapping[str, str]
-    """What began the sweep, as :func:`maker` says it."""
-
-    @property
-    def region(self) -> tuple[slice, ...]:
-        """Its place in the result."""
-        return tuple(slice(b, b + n) for b, n in zip(self.begin, self.shape, strict=False))
+    """Versions that began the sweep, as :func:`maker` returns them."""
 
     def compute(self) -> list[NDArray[Any]]:
         """The block of every variable."""
@@ -101,11 +91,14 @@ class Piece:
                 f"workers: this one has {own}, and the sweep began with {first}; give all workers "
                 "the same, or the bits of their blocks may differ"
             )
-        kept = len(self.begin)
+        kept = len(self.region)
         over = tuple(range(kept, len(self.shape)))
         found = [np.zeros(self.shape[:kept], _sum(v)) for v in self.variables]
         for tile in _tiles(self.shape):
-            here = {n: a[_cut(a, tile)] for n, a in self.inputs.items()}
+            here = {
+                n: a[tuple(s if k > 1 else slice(None) for k, s in zip(a.shape, tile, strict=True))]
+                for n, a in self.inputs.items()
+            }
             values = self.work(**here)
             size = tuple(s.stop - s.start for s in tile)
             begins = all(s.start == 0 for s in tile[kept:])
@@ -120,12 +113,12 @@ class Piece:
 
 
 def maker() -> dict[str, str]:
-    """What the bits of a result depend on besides its arguments."""
+    """Versions that the bits of a result depend on."""
     return {"symhaptic": package(), "kernels": kernels_used(), "numpy": np.__version__}
 
 
 def _kept(variable: Variable, value: Any) -> NDArray[Any]:
-    """A result as numbers of the kind that is kept; a function of one's own may give others."""
+    """A result in the dtype of its variable; a user's function may return another dtype."""
     kind = _sum(variable)
     array = real(variable.name, value) if np.ma.isMaskedArray(value) else np.asarray(value)
     if np.can_cast(array.dtype, kind):
@@ -140,7 +133,7 @@ def _kept(variable: Variable, value: Any) -> NDArray[Any]:
 
 
 def _sum(variable: Variable) -> np.dtype[Any]:
-    """What partial results are kept as: truth values are counted."""
+    """The dtype of partial results: truth values are counted."""
     return np.dtype(np.int64) if variable.word == "count" else variable.dtype
 
 
@@ -159,7 +152,7 @@ def _reduced(
 
 
 def _tiles(shape: tuple[int, ...]) -> Iterator[tuple[slice, ...]]:
-    """Parts of at most so many points, the last dimension quickest."""
+    """Tiles of at most ``_TILE`` points; the last dimension varies fastest."""
     lengths = _lengths(shape, _TILE)
     ranges = (range(0, n, step) for n, step in zip(shape, lengths, strict=True))
     for begin in itertools.product(*ranges):
@@ -169,7 +162,7 @@ def _tiles(shape: tuple[int, ...]) -> Iterator[tuple[slice, ...]]:
 
 
 def _lengths(shape: tuple[int, ...], points: int) -> tuple[int, ...]:
-    """Lengths of even parts of at most so many points, whole along the last dimensions."""
+    """Lengths of equal parts of at most ``points`` points, undivided along the last dimensions."""
     lengths: list[int] = []
     for n in reversed(shape):
         parts = -(-n // max(1, min(n, points)))
@@ -178,42 +171,39 @@ def _lengths(shape: tuple[int, ...], points: int) -> tuple[int, ...]:
     return tuple(reversed(lengths))
 
 
-def _cut(array: NDArray[Any], tile: tuple[slice, ...]) -> tuple[slice, ...]:
-    return tuple(slice(None) if n == 1 else part for n, part in zip(array.shape, tile, strict=True))
-
-
 @dataclass(frozen=True)
 class Plan:
-    """All of a sweep but where it is computed and kept."""
+    """All of a sweep except where it is computed and stored."""
 
     work: Work
-    inputs: Mapping[str, Input]
-    sizes: Mapping[str, int]
-    """The length of every dimension."""
+    names: tuple[str, ...]
+    """The arguments among the coordinates."""
+    coords: xarray.Dataset
+    """All arguments and labels, with the dimensions that they have."""
     kept: tuple[str, ...]
     over: tuple[str, ...]
     variables: tuple[Variable, ...]
     lengths: tuple[int, ...]
-    """Of a block, along the dimensions that stay."""
+    """Lengths of a block along the dimensions that stay."""
 
     @property
     def shape(self) -> tuple[int, ...]:
         """The shape of the result."""
-        return tuple(self.sizes[d] for d in self.kept)
+        return tuple(self.coords.sizes[d] for d in self.kept)
+
+    @property
+    def labels(self) -> xarray.Dataset:
+        """The coordinates that the result has."""
+        return self.coords.drop_dims(self.over)
 
     @property
     def attributes(self) -> dict[str, str]:
-        """What is said of the whole."""
+        """Attributes of the dataset."""
         words = {name: str(value) for name, value in self.work.words.items()}
         if self.work.arm is not None:
             words["arm"] = str(self.work.arm)
         made = f"symhaptic {package()}, {kernels_used()} kernels"
         return {"title": self.work.says, "source": made, **words}
-
-    @property
-    def points(self) -> int:
-        """How often the quantity is computed."""
-        return math.prod(self.sizes.values())
 
     @property
     def nbytes(self) -> int:
@@ -231,24 +221,17 @@ class Plan:
 
     def piece(self, index: tuple[int, ...]) -> Piece:
         """One block."""
-        begin = tuple(i * step for i, step in zip(index, self.lengths, strict=True))
-        ends = zip(begin, self.lengths, self.shape, strict=True)
-        stay = [slice(b, min(b + step, n)) for b, step, n in ends]
-        cuts = dict(zip(self.kept, stay, strict=True))
+        ends = zip(index, self.lengths, self.shape, strict=True)
+        region = tuple(slice(i * step, min((i + 1) * step, n)) for i, step, n in ends)
+        part = self.coords.isel(dict(zip(self.kept, region, strict=True)))
         dims = (*self.kept, *self.over)
-        shape = (*(s.stop - s.start for s in stay), *(self.sizes[d] for d in self.over))
-        inputs = {}
-        for name, (own, values) in self.inputs.items():
-            part = values[tuple(cuts.get(d, slice(None)) for d in own)]
-            order = sorted(range(len(own)), key=lambda i: dims.index(own[i]))
-            inputs[name] = part.transpose(order).reshape(
-                tuple(shape[dims.index(d)] if d in own else 1 for d in dims)
-            )
-        return Piece(index, begin, self.work, inputs, shape, self.variables, maker())
+        inputs = {n: part[n].variable.set_dims(dims).transpose(*dims).values for n in self.names}
+        shape = tuple(part.sizes[d] for d in dims)
+        return Piece(index, region, self.work, inputs, shape, self.variables, maker())
 
-    def description(self) -> str:
-        """What two sweeps have in common whose blocks may stand beside each other."""
-        said = {
+    def description(self) -> dict[str, Any]:
+        """Everything that must be equal in two sweeps that share a store."""
+        return {
             **maker(),
             "quantity": self.work.says,
             "function": self.work.body,
@@ -257,22 +240,51 @@ class Plan:
             "variables": [v.name for v in self.variables],
             "inputs": {
                 name: [
-                    list(dims),
-                    hashlib.sha256(np.ascontiguousarray(values).tobytes()).hexdigest(),
+                    list(self.coords[name].dims),
+                    hashlib.sha256(self.coords[name].values.tobytes()).hexdigest(),
                 ]
-                for name, (dims, values) in self.inputs.items()
+                for name in self.names
             },
-            "dimensions": dict(self.sizes),
+            "dimensions": {d: self.coords.sizes[d] for d in (*self.kept, *self.over)},
             "over": list(self.over),
             "blocks": list(self.lengths),
         }
-        return json.dumps(said, sort_keys=True)
+
+    def empty(self) -> xarray.Dataset:
+        """The result without its values: arrays of Dask that are all zero and take no memory."""
+        import dask.array
+
+        zeros = dask.array.zeros(self.shape, chunks=self.lengths or -1)
+        return self.filled([zeros.astype(v.dtype) for v in self.variables])
+
+    def filled(self, values: Sequence[Any]) -> xarray.Dataset:
+        """The result with the values of each variable."""
+        pairs = zip(self.variables, values, strict=True)
+        found = self.labels.assign({v.name: (self.kept, value, v.attributes) for v, value in pairs})
+        return found.assign_attrs(self.attributes)
+
+    def lazily(self, work: Callable[[Piece], list[NDArray[Any]]]) -> xarray.Dataset:
+        """The blocks as arrays of Dask: each is computed or read when it is asked for."""
+        import dask.array
+
+        kind = np.result_type(*(v.dtype for v in self.variables))
+
+        def block(block_id: tuple[int, ...]) -> NDArray[Any]:
+            found = work(self.piece(block_id[1:]))
+            return np.stack([value.astype(kind, copy=False) for value in found])
+
+        chunks = dask.array.core.normalize_chunks(self.lengths, self.shape)
+        every = dask.array.map_blocks(
+            block, chunks=((len(self.variables),), *chunks), dtype=kind,
+            meta=np.zeros((0,) * (1 + len(self.shape)), kind),
+        )  # fmt: skip
+        return self.filled([every[i].astype(v.dtype) for i, v in enumerate(self.variables)])
 
 
 def lengths_of(
     kept: Mapping[str, int], over: Mapping[str, int], chunks: int | Mapping[str, int] | None
 ) -> tuple[int, ...]:
-    """The lengths of blocks; of so many points, or as they are given by dimension."""
+    """Lengths of blocks, from a number of points or from lengths by dimension."""
     points = POINTS if chunks is None or isinstance(chunks, Mapping) else chunks
     found = _lengths(tuple(kept.values()), max(1, points // math.prod(over.values())))
     if not isinstance(chunks, Mapping):

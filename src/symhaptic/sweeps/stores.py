@@ -1,22 +1,23 @@
-"""Where finished blocks are kept, so that a sweep goes on where it was killed.
+"""Stores of finished blocks, from which an interrupted sweep is resumed.
 
-A block counts as done when a mark says so that is written after it.  What a killed process had
-begun is computed again, and the end has the same bytes as without the kill.  Checksums are compared
-when a block is read.
+A mark that is written after a block says that the block is done.  Blocks that a killed process had
+begun are computed again, and the result has the same bytes as without the kill.  Checksums are
+compared when a block is read, and those of the files that describe a store when a sweep begins.
 """
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
 import os
 import sys
 import zlib
-from collections.abc import Iterator
-from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 from uuid import uuid4
 
 import numpy as np
@@ -24,7 +25,6 @@ import numpy as np
 from symhaptic.book.processes import folder
 from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import shown
-from symhaptic.sweeps.dataset import lazily
 from symhaptic.sweeps.plan import Piece, Plan
 from symhaptic.sweeps.quantities import IN_SI, INPUTS
 
@@ -33,36 +33,20 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 PLAN = "symhaptic_sweep"
-"""The attribute that says which sweep it is."""
+"""The attribute that describes the sweep."""
 
 _DRAFT = "_draft-"
-"""Beginning of the name of a file of Parquet that is being written; its readers pass over it."""
+"""Prefix of Parquet files that are being written; readers of Parquet ignore such files."""
+
+_DONE = "blocks/done"
+"""The array of Zarr with a mark for each block that is done."""
 
 _TAKEN = ("blocks", "zarr.json")
-"""Names of its own in a group."""
-
-
-class Store(Protocol):
-    """A place for blocks."""
-
-    def begin(self, plan: Plan, empty: xarray.Dataset) -> None:
-        """Make it ready, or see that it is the same sweep that it was begun for."""
-
-    def alone(self) -> AbstractContextManager[None]:
-        """Refuse a second writer on this machine, and remove drafts of one that was killed."""
-
-    def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
-        """The blocks that are not done."""
-
-    def finish(self, piece: Piece) -> None:
-        """Compute a block and keep it, unless it is done; for workers."""
-
-    def open(self, plan: Plan, empty: xarray.Dataset) -> xarray.Dataset:
-        """What is kept, read when it is asked for."""
+"""Names that labels cannot have."""
 
 
 def store(to: str | Path) -> Store:
-    """Zarr or Parquet, by the end of the name."""
+    """The store of a name: Zarr or Parquet, by its ending."""
     place = str(to).rstrip("/")
     if place.endswith(".zarr"):
         needed("symhaptic.sweep to a Zarr store", "zarr", extra="sweep")
@@ -76,45 +60,33 @@ def store(to: str | Path) -> Store:
     )
 
 
-def _begun(place: str, said: str | bytes | None, plan: Plan, where: str) -> None:
-    """Refuse what is there and is not this sweep; ``where`` is the file that says which it is."""
-    if said is None:
-        raise ValueError(f"to: {place!r} is not allowed; it is there and holds no sweep")
-    try:
-        was = json.loads(said)
-    except ValueError:
-        was = None
-    if not isinstance(was, dict):
-        raise _damaged(place, where)
-    now = json.loads(plan.description())
-    if was != now:
-        other = ", ".join(key for key in now if was.get(key) != now[key])
-        raise ValueError(
-            f"to: {place!r} is not allowed; it holds another sweep, which differs in {other}"
-        )
-
-
-def _damaged(place: str, where: str) -> ValueError:
+def _damaged(file: str) -> ValueError:
     return ValueError(
-        f"to: {place!r} is not allowed; its file {where}, which says what it holds, is damaged; "
-        "give another place, or remove this one"
+        f"to: {file}, which describes what is stored, is damaged or missing; give another place, "
+        "or remove this one"
     )
 
 
-_WRONG = (KeyError, TypeError, ValueError, RuntimeError)
-"""What Zarr, and what it decompresses with, raise for files that are damaged."""
+_WRONG = (LookupError, TypeError, ValueError, RuntimeError, ArithmeticError)
+"""Exceptions of Zarr and its codecs for damaged files."""
 
 
-@contextmanager
-def _readable(place: str) -> Iterator[None]:
-    """Report damage of what describes a group."""
+def _sealed(said: Mapping[str, Any]) -> str:
+    """A description with its own checksum."""
+    text = json.dumps(said, sort_keys=True)
+    return json.dumps({**said, _SEAL: zlib.crc32(text.encode())}, sort_keys=True)
+
+
+def _opened(text: str | bytes) -> dict[str, Any] | None:
+    """A description, or None if it is damaged."""
     try:
-        yield
-    except _WRONG as wrong:
-        raise ValueError(
-            f"to: a zarr.json, a label or a mark in {place!r} is damaged ({wrong}); give another "
-            "place, or remove this one"
-        ) from None
+        said = json.loads(text)
+        return said if _sealed({k: said[k] for k in said if k != _SEAL}) == text else None
+    except (ValueError, TypeError, LookupError):
+        return None
+
+
+_SEAL = "crc32"
 
 
 def _bad_block(files: str, mark: str) -> ValueError:
@@ -125,27 +97,8 @@ def _bad_block(files: str, mark: str) -> ValueError:
 
 
 @contextmanager
-def _alone(place: str, file: str, drafts: str) -> Iterator[None]:
-    """Lock a file as long as this process writes; the system unlocks it if that is killed."""
-    with open(Path(place) / file, "r+b") as held:
-        if sys.platform != "win32":
-            import fcntl
-
-            try:
-                fcntl.flock(held, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except BlockingIOError:
-                raise ValueError(
-                    f"to: another process is writing to {place!r}; wait until it has ended, or "
-                    "give another place"
-                ) from None
-        for draft in Path(place).rglob(drafts):
-            draft.unlink(missing_ok=True)
-        yield
-
-
-@contextmanager
 def _beside(place: Path) -> Iterator[Path]:
-    """Where it is made before it has its name, in a folder of its own that does not stay."""
+    """A temporary folder in which a store is made before it gets its name."""
     stack = ExitStack()
     try:
         draft = stack.enter_context(folder(f".{place.name}-", place.parent))
@@ -169,104 +122,197 @@ def _named(draft: Path, place: str) -> None:
 
 
 @dataclass(frozen=True)
-class Zarr:
-    """A Zarr group: one chunk a block, and in ``blocks/done`` checksums of each that is done."""
+class Store:
+    """A place for blocks."""
 
     place: str
 
-    _ABOUT: ClassVar = "zarr.json"
+    ABOUT: ClassVar[str]
+    """The file that describes the sweep."""
+    DRAFTS: ClassVar[str]
+    """Pattern of the files that a killed process leaves incomplete."""
 
-    def begin(self, plan: Plan, empty: xarray.Dataset) -> None:
-        """Make the group whole at once, under another name first where names can be changed."""
-        import zarr
+    def begin(self, plan: Plan) -> None:
+        """Make the store, or check that it belongs to the same sweep.
 
+        A local store is made under another name first, so that it is complete when it appears.
+        """
         local = "://" not in self.place
         if not local or os.path.lexists(self.place):
-            try:
-                found = zarr.open_group(self.place, mode="r")
-            except FileNotFoundError:
-                if local:
-                    _begun(self.place, None, plan, self._ABOUT)
-            except _WRONG:
-                raise _damaged(self.place, self._ABOUT) from None
-            else:
-                said = found.attrs.get(PLAN)
-                _begun(self.place, said if isinstance(said, str) else None, plan, self._ABOUT)
-                return self._labelled(empty)
-        for name, coord in empty.coords.items():
-            self._to_be_kept(str(name), coord)
+            text = self._said()
+            if text is not None:
+                return self._same(plan, text)
+            if local:
+                raise ValueError(
+                    f"to: {self.place!r} is not allowed; it is there and holds no sweep"
+                )
+        self._refuse_labels(plan.labels)
         if not local:
-            return self._made(self.place, plan, empty)
-        with _beside(Path(self.place)) as place:
-            self._made(str(place), plan, empty)
-            _named(place, self.place)
-        return self.begin(plan, empty)
+            return self._make(self.place, plan)
+        with _beside(Path(self.place)) as draft:
+            self._make(str(draft), plan)
+            _named(draft, self.place)
+        return self.begin(plan)
 
-    @staticmethod
-    def _made(place: str, plan: Plan, empty: xarray.Dataset) -> None:
-        """A group without values, in which no block is done."""
+    def _same(self, plan: Plan, text: str) -> None:
+        """Refuse another sweep, and damage of what describes this one."""
+        was, now = _opened(text), self._describe(plan)
+        if was is None:
+            raise _damaged(f"{self.place}/{self.ABOUT}")
+        files, labels, known = was.pop("files"), was.pop("labels"), now.pop("labels")
+        other = [key for key in now if was.get(key) != now[key]]
+        other += [f"the labels {name!r}" for name in sorted({*labels, *known})
+                  if labels.get(name) != known.get(name)]  # fmt: skip
+        if other:
+            raise ValueError(
+                f"to: {self.place!r} is not allowed; it holds another sweep, which differs in "
+                f"{', '.join(other)}"
+            )
+        self._refuse_damage(files)
+
+    def _describe(self, plan: Plan) -> dict[str, Any]:
+        """The sweep, with the labels that are stored."""
+        return {**json.loads(json.dumps(plan.description())), "labels": {}}
+
+    def _refuse_damage(self, files: Mapping[str, int]) -> None:
+        """Compare files that never change with their checksums."""
+        for name, known in files.items():
+            if zlib.crc32(_bytes(f"{self.place}/{name}")) != known:
+                raise _damaged(f"{self.place}/{name}")
+
+    @contextmanager
+    def alone(self) -> Iterator[None]:
+        """Refuse a second writer on this machine, and remove drafts of one that was killed.
+
+        A file is locked as long as this process writes; the system unlocks it if that is killed.
+        """
+        if "://" in self.place:
+            yield
+            return
+        with open(Path(self.place) / self.ABOUT, "r+b") as held:
+            if sys.platform != "win32":
+                import fcntl
+
+                try:
+                    fcntl.flock(held, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                except BlockingIOError:
+                    raise ValueError(
+                        f"to: another process is writing to {self.place!r}; wait until it has "
+                        "ended, or give another place"
+                    ) from None
+            for draft in Path(self.place).rglob(self.DRAFTS):
+                draft.unlink(missing_ok=True)
+            yield
+
+    def _said(self) -> str | None:
+        """The description of the sweep that is there."""
+        raise NotImplementedError
+
+    def _refuse_labels(self, labels: xarray.Dataset) -> None:
+        """Refuse labels that would be lost or changed."""
+
+    def _make(self, place: str, plan: Plan) -> None:
+        """Make the store without any block."""
+        raise NotImplementedError
+
+    def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
+        """The blocks that are not done."""
+        raise NotImplementedError
+
+    def finish(self, piece: Piece) -> None:
+        """Compute a block and keep it, unless it is done; for workers."""
+        raise NotImplementedError
+
+    def read(self, piece: Piece) -> list[NDArray[Any]]:
+        """Read a block and compare its checksum."""
+        raise NotImplementedError
+
+
+class Zarr(Store):
+    """A Zarr group with one chunk per block; ``blocks/done`` has the checksums of finished blocks."""
+
+    ABOUT = "zarr.json"
+    DRAFTS = "*.partial"
+
+    def _said(self) -> str | None:
+        try:
+            said = self._group("r").attrs.get(PLAN)
+        except FileNotFoundError:  # Zarr finds no group
+            said = None
+        except _WRONG:
+            raise _damaged(f"{self.place}/{self.ABOUT}") from None
+        if said is None and _bytes(f"{self.place}/{_DONE}/zarr.json"):
+            raise _damaged(f"{self.place}/{self.ABOUT}")
+        return said if isinstance(said, str) else None if said is None else ""
+
+    def _describe(self, plan: Plan) -> dict[str, Any]:
+        labels = {
+            str(name): hashlib.sha256(repr((c.dims, c.dtype, c.values.tolist())).encode())
+            for name, c in plan.labels.coords.items()
+            if name not in plan.names
+        }
+        return super()._describe(plan) | {"labels": {n: d.hexdigest() for n, d in labels.items()}}
+
+    def _make(self, place: str, plan: Plan) -> None:
         import zarr
         from zarr.codecs import Crc32cCodec, ZstdCodec
 
+        empty = plan.empty()
         kept: dict[str, dict[str, Any]] = {
             str(name): {"compressors": (ZstdCodec(level=0), Crc32cCodec())}
             for name in empty.variables
         }
-        for name in map(str, empty.data_vars):
-            kept[name] |= {"chunks": plan.lengths} if plan.lengths else {}
+        for name, values in empty.variables.items():
+            chunks = plan.lengths if name in empty.data_vars else values.shape
+            kept[str(name)] |= {"chunks": chunks} if chunks else {}
         empty.to_zarr(place, compute=False, encoding=kept, consolidated=False, zarr_format=3)
         group = zarr.open_group(place, mode="r+")
         count = len(plan.variables)
         group.create_array(
-            "blocks/done", shape=(*plan.grid, count), chunks=(*(1 for _ in plan.grid), count),
+            _DONE, shape=(*plan.grid, count), chunks=(*(1 for _ in plan.grid), count),
             dtype="uint64", fill_value=0, compressors=None,
         )  # fmt: skip
-        group.attrs[PLAN] = plan.description()
+        names = [f"{name}/zarr.json" for name in (*empty.variables, "blocks", _DONE)]
+        names += ["/".join((str(name), "c", *("0" for _ in label.dims)))
+                  for name, label in empty.coords.items()]  # fmt: skip
+        files = {name: zlib.crc32(_bytes(f"{place}/{name}")) for name in names}
+        group.attrs[PLAN] = _sealed(self._describe(plan) | {"files": files})
 
-    def _to_be_kept(self, name: str, coord: xarray.DataArray) -> None:
-        """Refuse labels that Zarr would lose or change."""
+    def _refuse_labels(self, labels: xarray.Dataset) -> None:
         import xarray
         from zarr.storage import MemoryStore
 
-        tried = MemoryStore()
-        try:
-            xarray.Dataset(coords={name: coord}).to_zarr(tried, consolidated=False, zarr_format=3)
-            found = xarray.open_zarr(tried, consolidated=False, chunks=None)
-        except (TypeError, ValueError):
-            found = xarray.Dataset()
-        if name in _TAKEN or name not in found or not found[name].equals(coord):
-            raise ValueError(
-                f"{name}: {shown(coord.values)} as labels are not allowed in {self.place!r}; "
-                "give numbers, text or dates, with a plain name and plain attributes"
-            )
-
-    def _labelled(self, empty: xarray.Dataset) -> None:
-        """Refuse a sweep of other labels."""
-        import xarray
-
-        with _readable(self.place):
-            found = xarray.open_zarr(self.place, consolidated=False, chunks=None).coords
-            for coord in found.values():
-                coord.load()
-        for name in sorted({*map(str, found), *map(str, empty.coords)}):
-            if name not in found or name not in empty.coords or not (
-                found[name].equals(empty.coords[name])
-            ):  # fmt: skip
+        for name, coord in labels.coords.items():
+            tried = MemoryStore()
+            try:
+                one = xarray.Dataset(coords={name: coord.variable})
+                one.to_zarr(tried, consolidated=False, zarr_format=3)
+                found = xarray.open_zarr(tried, consolidated=False, chunks=None)
+            except (TypeError, ValueError):
+                found = xarray.Dataset()
+            if (
+                name in _TAKEN
+                or name not in found
+                or not found[name].variable.equals(coord.variable)
+            ):
                 raise ValueError(
-                    f"to: {self.place!r} is not allowed; it holds another sweep, which differs in "
-                    f"the labels {name!r}"
+                    f"{name}: {shown(coord.values)} as labels are not allowed in {self.place!r}; "
+                    "give numbers, text or dates, with a plain name and plain attributes"
                 )
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
-        """Where there is no mark."""
-        with _readable(self.place):
-            done = np.asarray(self._group()["blocks/done"][...])
+        """The blocks without a mark."""
+        try:
+            done = np.asarray(self._group("r")[_DONE][...])
+        except _WRONG:
+            what = f"{self.place}/{self.ABOUT} or a file in {self.place}/{_DONE}/c"
+            raise _damaged(what) from None
         return (index for index in plan.indices() if not done[index].any())
 
     def finish(self, piece: Piece) -> None:
-        """The block first, then its mark."""
+        """Write the block first, then its mark."""
         group = self._group()
-        done = group["blocks/done"]
+        done = group[_DONE]
         if np.any(done[piece.index]):
             return
         found = piece.compute()
@@ -274,31 +320,25 @@ class Zarr:
             group[variable.name][piece.region] = values
         done[piece.index] = [*map(_checksum, found)]
 
-    def open(self, plan: Plan, empty: xarray.Dataset) -> xarray.Dataset:
-        """The group as arrays of Dask."""
-        return lazily(plan, empty, self._read)
-
-    def _read(self, piece: Piece) -> list[NDArray[Any]]:
-        with _readable(self.place):
-            group = self._group("r")
+    def read(self, piece: Piece) -> list[NDArray[Any]]:
+        """Read the chunks of a block and compare their checksums with the mark."""
         found, place = [], "/".join(("c", *map(str, piece.index)))
-        mark = f"{self.place}/blocks/done/{place}/0"
         for i, variable in enumerate(piece.variables):
             try:
+                group = self._group("r")
                 values = np.asarray(group[variable.name][piece.region])
-                same = group["blocks/done"][piece.index][i] == _checksum(values)
+                same = group[_DONE][piece.index][i] == _checksum(values)
             except _WRONG:
                 same = False
             if not same:
+                said = _opened(self._said() or "")
+                if said is None:
+                    raise _damaged(f"{self.place}/{self.ABOUT}")
+                self._refuse_damage(said["files"])
+                mark = f"{self.place}/{_DONE}/{place}/0"
                 raise _bad_block(f"{self.place}/{variable.name}/{place}", mark)
             found.append(values)
         return found
-
-    def alone(self) -> AbstractContextManager[None]:
-        """Lock the file of the group, where it is one of this machine."""
-        if "://" in self.place:
-            return nullcontext()
-        return _alone(self.place, self._ABOUT, "*.partial")
 
     def _group(self, mode: Literal["r", "r+"] = "r+") -> Any:
         import zarr
@@ -306,46 +346,49 @@ class Zarr:
         return zarr.open_group(self.place, mode=mode)
 
 
+def _bytes(file: str) -> bytes:
+    """The content of a file, local or remote; empty if there is none."""
+    try:
+        if "://" not in file:
+            return Path(file).read_bytes()
+        from fsspec import open as opened
+
+        with opened(file, "rb") as held:
+            found: bytes = held.read()
+            return found
+    except OSError:
+        return b""
+
+
 def _checksum(values: NDArray[Any]) -> int:
-    """CRC-32 with a bit above it, so that it is never 0; of NaN the sign and payload are none."""
+    """CRC-32 with a bit above it, so that it is never 0; all NaN count as the same number."""
     if values.dtype.kind == "f":
         values = np.where(np.isnan(values), np.nan, values)
     return 2**32 + zlib.crc32(np.ascontiguousarray(values).tobytes())
 
 
-@dataclass(frozen=True)
-class Parquet:
-    """A folder of Parquet files, one a block with a row a point, each there at once when done."""
+class Parquet(Store):
+    """A folder of Parquet files, one per block, with one row per point."""
 
-    place: str
+    ABOUT = f"_{PLAN}.json"  # which readers of Parquet pass over
+    DRAFTS = f"{_DRAFT}*"
 
-    def begin(self, plan: Plan, empty: xarray.Dataset) -> None:
-        """Make the folder, with the plan in a file that readers of Parquet pass over."""
-        if os.path.lexists(self.place):
-            file = self._plan(self.place)
-            said = file.read_bytes() if file.is_file() else None
-            return _begun(self.place, said, plan, file.name)
-        with _beside(Path(self.place)) as place:
-            place.mkdir()
-            self._plan(place).write_text(plan.description(), "utf-8")
-            _named(place, self.place)
-        return self.begin(plan, empty)
+    def _said(self) -> str | None:
+        file = Path(self.place) / self.ABOUT
+        return file.read_text("utf-8", "replace") if file.is_file() else None
 
-    @staticmethod
-    def _plan(place: str | Path) -> Path:
-        return Path(place) / f"_{PLAN}.json"
-
-    def alone(self) -> AbstractContextManager[None]:
-        """Lock the file of the plan."""
-        return _alone(self.place, self._plan(self.place).name, f"{_DRAFT}*")
+    def _make(self, place: str, plan: Plan) -> None:
+        Path(place).mkdir()
+        text = _sealed(self._describe(plan) | {"files": {}})
+        (Path(place) / self.ABOUT).write_text(text, "utf-8")
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
-        """Where there is no file."""
+        """The blocks without a file."""
         there = {path.name for path in Path(self.place).iterdir()}
         return (index for index in plan.indices() if _file(index) not in there)
 
     def finish(self, piece: Piece) -> None:
-        """Write beside, and give it its name when it is whole."""
+        """Write a draft, and rename it when it is complete."""
         import pyarrow
         from pyarrow import parquet
 
@@ -353,7 +396,7 @@ class Parquet:
         if whole.exists():
             return
         values = piece.compute()
-        kept = len(piece.begin)
+        kept = len(piece.region)
         shape = piece.shape[:kept]
         meanings = IN_SI if piece.work.in_si else INPUTS
         columns: dict[str, NDArray[Any]] = {}
@@ -374,16 +417,13 @@ class Parquet:
         parquet.write_table(table, beside, write_page_checksum=True)
         os.replace(beside, whole)
 
-    def open(self, plan: Plan, empty: xarray.Dataset) -> xarray.Dataset:
-        """The files as arrays of Dask."""
-        return lazily(plan, empty, self._read)
-
-    def _read(self, piece: Piece) -> list[NDArray[Any]]:
+    def read(self, piece: Piece) -> list[NDArray[Any]]:
+        """Read the columns of a block; Parquet compares its own checksums."""
         from pyarrow import ArrowException, parquet
 
         names = [v.name for v in piece.variables]
         file = Path(self.place) / _file(piece.index)
-        shape = piece.shape[: len(piece.begin)]
+        shape = piece.shape[: len(piece.region)]
         try:
             table = parquet.read_table(file, columns=names, page_checksum_verification=True)
             return [table[name].to_numpy().reshape(shape) for name in names]

@@ -11,7 +11,6 @@ import numpy as np
 
 from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import shown
-from symhaptic.sweeps import dataset
 from symhaptic.sweeps.axes import plan_of
 from symhaptic.sweeps.plan import Piece, Plan
 from symhaptic.sweeps.stores import store
@@ -79,34 +78,27 @@ def sweep(
     array([0.7132, 0.1548, 0.0691])
     """
     needed("symhaptic.sweep", "dask", "xarray", extra="sweep")
-    plan, coords = plan_of(quantity, scene, over, reduce, chunks, axes)
-    like = dataset.empty(plan, coords)
+    plan = plan_of(quantity, scene, over, reduce, chunks, axes)
+    total = int(np.prod(plan.grid))
     if to is not None:
         if lazy:
             raise ValueError(f"lazy: {lazy!r} beside to={shown(to)} is not allowed; give one")
         place = store(to)
-        place.begin(plan, like)
+        place.begin(plan)
         if next(place.missing(plan), None) is not None:
             with place.alone(), executor(on, workers) as pool:
                 missing = list(place.missing(plan))
-                pieces = map(plan.piece, missing)
-                for _ in done(pool, place.finish, pieces, len(missing), int(np.prod(plan.grid))):
+                for _ in done(pool, place.finish, map(plan.piece, missing), len(missing), total):
                     pass
-        return place.open(plan, like)
+        return plan.lazily(place.read)
     if lazy or (lazy is None and _large(plan)):
-        return dataset.lazily(plan, like, Piece.compute)
+        return plan.lazily(Piece.compute)
     found = [np.empty(plan.shape, v.dtype) for v in plan.variables]
-    total = int(np.prod(plan.grid))
     with executor(on, workers) as pool:
         for region, values in done(pool, _placed, map(plan.piece, plan.indices()), total, total):
             for into, value in zip(found, values, strict=True):
                 into[region] = value
-    return like.assign(
-        {
-            v.name: (plan.kept, value, v.attributes)
-            for v, value in zip(plan.variables, found, strict=True)
-        }
-    )
+    return plan.filled(found)
 
 
 def _placed(piece: Piece) -> tuple[tuple[slice, ...], list[NDArray[Any]]]:

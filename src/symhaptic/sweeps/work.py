@@ -1,4 +1,4 @@
-"""Who computes: threads, processes, or whoever keeps the promise of ``concurrent.futures``."""
+"""Who computes: threads, processes, or any executor of ``concurrent.futures``."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from symhaptic.notation.quantities import shown
 from symhaptic.sweeps.plan import Piece
 
 _AT_ONCE = 1024
-"""Blocks that are waited for at a time, so that a sweep of a million takes no memory."""
+"""Blocks that are submitted at a time, so that a sweep of a million blocks needs little memory."""
 
 
 _KILLED = (
@@ -78,7 +78,7 @@ def executor(on: Any, workers: int | None) -> Iterator[Executor]:
 def done(
     pool: Executor, work: Callable[[Piece], Any], pieces: Iterable[Piece], count: int, total: int
 ) -> Iterator[Any]:
-    """The results as they come; what could not be computed is raised at once.
+    """The results in the order in which they are finished; the first error is raised at once.
 
     On a terminal a bar shows how many blocks of ``total`` are done, ``count`` of which are to do.
     """

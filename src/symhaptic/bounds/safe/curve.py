@@ -99,6 +99,14 @@ def _rest(q: float) -> float:
     return math.inf if rate / _TERMS > 0.5 else 4 * first
 
 
+def left_out(q: float) -> tuple[arb, arb]:
+    """Balls around 0 of the terms that are left out, and of their derivatives by g or f.
+
+    A derivative is at most the bound on a circle of radius 1 (Cauchy's estimate).
+    """
+    return arb(0, _rest(q)), arb(0, _rest(q + 1))
+
+
 def _numbers(loops: Loops, g: Number, f: Number, rest: Number) -> tuple[Number, ...]:
     """What a :class:`Late` has, without the arm."""
     x, v = motion(g, f, arb(1), rest)
@@ -120,15 +128,12 @@ def _numbers(loops: Loops, g: Number, f: Number, rest: Number) -> tuple[Number, 
 
 @lru_cache(maxsize=1 << 16)
 def late(loops: Loops, hands: Hands) -> Late:
-    """The plants of a box of arms: those of its middle, and slopes times the way from there.
-
-    A derivative of what is left out is not above its bound on a circle of radius 1 around.
-    """
+    """The plants of a box of arms: those of its middle, and slopes times the way from there."""
     if loops.periods[0] < loops.periods[1]:
         return _later(loops, hands)
     g, f = ratios(loops, hands)
     q = max(1.0, float(abs(f).upper()), float(abs(g).upper())) * (1 + 2**-40)
-    near, beyond = (arb(0, _rest(r)) for r in (q, q + 1))
+    near, beyond = left_out(q)
     g_0, f_0 = g.mid(), f.mid()
     slope = arb_series([near, beyond], 2)
     try:

@@ -19,6 +19,7 @@ from typing import NamedTuple
 import sympy as sp
 from flint import arb, arb_poly
 
+from symhaptic.bounds.newton import TooMany, narrowed, pieces
 from symhaptic.bounds.simplest.cost import positive
 from symhaptic.bounds.simplest.plants import (
     NAMES,
@@ -37,13 +38,6 @@ from symhaptic.model.plant import Sampled
 from symhaptic.notation import a, delta, e, gamma, n_0, n_1, nu, s_1, s_2
 from symhaptic.proof.derivative import derivative
 from symhaptic.proof.plants import BALLS, TOGETHER
-
-_PIECES = 600
-"""So many pieces of the boundary are tried."""
-
-_LEAST = 2**-7
-"""Pieces of the boundary are not halved below this length in y."""
-
 
 LIGHT = sp.Symbol("1/(n_1+n_0)")
 
@@ -262,41 +256,13 @@ def _on_boundary(arc: _Arc, beta: arb) -> list[_Meeting]:
     """Where the boundary has the damping: pieces of it with all those points."""
     surplus = arc.up.value - arb_poly([beta]) * arc.size.value
     slope = surplus.derivative()
-    pieces, kept, tried = [(0.0, 4.0)], list[arb](), 0
-    while pieces:
-        low, high = pieces.pop()
-        tried += 1
-        if tried > _PIECES:
-            raise NotEnclosed("too many pieces of the boundary")
-        piece = arb(low).union(arb(high))
-        if not _over(surplus, piece).contains(0):
-            continue
-        if high - low > _LEAST:
-            middle = (low + high) / 2
-            pieces += [(middle, high), (low, middle)]  # the lower one is next
-        elif kept and kept[-1].overlaps(piece):
-            kept[-1] = kept[-1].union(piece)
-        else:
-            kept.append(piece)
-    near = [_narrowed(surplus, slope, piece) for piece in kept]
+    try:
+        kept = pieces(4.0, lambda piece: _over(surplus, piece).contains(0))
+    except TooMany:
+        raise NotEnclosed("too many pieces of the boundary") from None
+    near = [narrowed(surplus, lambda y: _over(slope, y), piece) for piece in kept]
     sizes = [(piece, arc.size.on(piece)) for piece in near if piece is not None]
     return [_around(arc.push.on(piece).over(size).value, piece) for piece, size in sizes]
-
-
-def _narrowed(surplus: arb_poly, slope: arb_poly, piece: arb) -> arb | None:
-    """Newton's interval step on a piece, as long as it narrows; None where no zero is left."""
-    while True:
-        rises = _over(slope, piece)
-        if rises.contains(0):
-            return piece
-        middle = piece.mid()
-        step = middle - surplus(middle) / rises
-        if not step.overlaps(piece):
-            return None
-        less = step.intersection(piece)
-        if not less.rad() < 0.9 * piece.rad():
-            return piece
-        piece = less
 
 
 def _polynomial(x: Numbers, alpha: arb, beta: arb, delay: int) -> list[arb]:

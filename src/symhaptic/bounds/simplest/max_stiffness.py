@@ -16,6 +16,7 @@ import sympy as sp
 from flint import arb
 from sympy import Expr
 
+from symhaptic.bounds.newton import TooMany, narrowed, pieces
 from symhaptic.bounds.simplest.plants import (
     NAMES,
     Box,
@@ -38,12 +39,6 @@ from symhaptic.proof.plants import AT_ONE, BALLS, TOGETHER
 
 _SOFT = 9
 """Below this gamma, and so below pi^2, n_1 >= n_0 (s4d_explicit_boundary_signs)."""
-
-_PIECES = 600
-"""So many pieces of the boundary are tried."""
-
-_LEAST = 2**-7
-"""Pieces of the boundary are not halved below this length in (d+1) theta."""
 
 
 @lru_cache(maxsize=64)
@@ -134,38 +129,25 @@ def _search(curve: Formula, x: Numbers, delay: int, box: Box) -> arb:
     known = curve.value(arb(near), x).lower()
     if not (known > 0 and curve.value(arb(end), x) < known):
         raise NotEnclosed("the largest stiffness is not told from the end of the boundary")
-    pieces, kept, tried = [(0.0, end)], [], 0
-    while pieces:
-        low, high = pieces.pop()
-        tried += 1
-        if tried > _PIECES:
-            raise NotEnclosed("too many pieces of the boundary")
-        piece = arb(low).union(arb(high))
+
+    def may_be_largest(piece: arb) -> bool:
         slope = curve.slope(piece, x)
-        if curve.value(piece, x) < known or slope > 0 or slope < 0:
-            continue
-        if high - low < _LEAST:
-            kept += [low, high]
-            continue
-        middle = (low + high) / 2
-        pieces += [(low, middle), (middle, high)]
+        return not (curve.value(piece, x) < known or slope > 0 or slope < 0)
+
+    try:
+        kept = pieces(end, may_be_largest)
+    except TooMany:
+        raise NotEnclosed("too many pieces of the boundary") from None
     if not kept:
         raise NotEnclosed("no largest stiffness between 0 and the end")
-    return arb(min(kept)).union(arb(max(kept)))
+    return kept[0].union(kept[-1])
 
 
 def _narrowed(curve: Formula, x: Numbers, tips: arb) -> arb:
     """The same by Newton's interval step, where the slope falls."""
-    for _ in range(8):
-        bend = curve.bend(tips, x)
-        if not bend < 0:
-            return tips
-        middle = tips.mid()
-        step = middle - curve.slope(middle, x) / bend
-        if not step.overlaps(tips):
-            raise NotEnclosed("no largest stiffness where it was sought")
-        less = step.intersection(tips)
-        if not less.rad() < 0.9 * tips.rad():
-            return less
-        tips = less
-    return tips
+    if not curve.bend(tips, x) < 0:
+        return tips
+    found = narrowed(lambda at: curve.slope(at, x), lambda at: curve.bend(at, x), tips)
+    if found is None:
+        raise NotEnclosed("no largest stiffness where it was sought")
+    return found

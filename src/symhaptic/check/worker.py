@@ -1,4 +1,4 @@
-"""Somebody else's code in a process of its own, with limits; nothing of the package is imported.
+"""The user's code in a process of its own, with limits; nothing of the package is imported.
 
 ``python`` and ``library`` stay and answer on standard output: a line with a JSON object when the
 function is there, and one for each batch that is asked for by a line on standard input.  A batch is
@@ -23,7 +23,7 @@ Points = Sequence[tuple[float, ...]]
 
 
 class Failed(ValueError):
-    """What somebody's code does wrong, in one line."""
+    """An error of the user's code, in one line."""
 
 
 def limited(**most: int) -> None:

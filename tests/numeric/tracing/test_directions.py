@@ -1,0 +1,62 @@
+"""Which way roots cross: no corner of the boxes in which the numbers lie contradicts what is said.
+
+The numbers are random; no device has to have them.
+"""
+
+import numpy as np
+import pytest
+
+from symhaptic.numeric.crossings import Wall
+from symhaptic.numeric.plant import Device
+from symhaptic.numeric.tracing import directions
+from symhaptic.numeric.tracing.bands import Bands, Part
+
+COUNT = 60
+MIDDLE, CORNERS = np.array([[0]]), np.array([[1 + 1j], [1 - 1j], [-1 + 1j], [-1 - 1j]])
+
+
+def random_bands(rng, error):
+    """Bands whose errors are such a share of the numbers."""
+    size = 10 ** rng.uniform(-1.5, 1.5, (23, COUNT)) * rng.choice([-1, 1], (23, COUNT))
+    device, wall, slopes, errors = np.split(size, [11, 15, 17])
+    y = rng.uniform(0.1, 3.9, COUNT)
+    off, reach, away = error * np.abs(errors[4:]).repeat(2, axis=0)[:3]
+    part = Part(Device(*device), y, *slopes, *error * np.abs(errors[:4]))
+    ends = y + 2 * away, np.sqrt(y * (4 - y)) / 2 + reach
+    return Bands(np.arange(COUNT), part, Wall(*wall), y, y, y, y, y, 4 - y, off, reach, away, *ends)
+
+
+def at_corners(boxes, steps):
+    """-Re(h conj(Z)) with the numbers at the centres of their boxes, and at all corners."""
+    found = []
+    for signs in (MIDDLE, CORNERS):
+        values = []
+        for k, box in enumerate(boxes):
+            near = box.center + signs.real * box.along + 1j * signs.imag * box.across
+            values.append(near.reshape([len(signs) if i == k else 1 for i in range(7)] + [COUNT]))
+        plant, turned, wall, round_, force, shape, rise = values
+        moved = shape / force + round_ / wall - turned / plant - (steps + 2)
+        found.append(-(rise / force * moved.conj()).real.reshape(-1, COUNT))
+    return found
+
+
+@pytest.mark.parametrize("error", [1e-3, 0.01, 0.03, 0.1])
+def test_a_direction_holds_in_every_corner_and_is_said_where_all_are_clear(error, monkeypatch):
+    rng, boxes, made = np.random.default_rng(7), [], directions._box
+    monkeypatch.setattr(directions, "_box", lambda *a: boxes.append(made(*a)) or boxes[-1])
+    said = clear = 0
+    for _ in range(5):
+        boxes.clear()
+        bands, steps = random_bands(rng, error), np.floor(10 ** rng.uniform(0, 2, COUNT))
+        way, until = directions.one_way(bands, steps)
+        assert (until[way != 0] >= steps[way != 0]).all()
+        for at in (steps, np.minimum(until, 1e6)):
+            middle, corners = at_corners(boxes, at)
+            assert (corners * way >= -1e-12 * np.abs(middle)).all()
+        middle, corners = at_corners(boxes, steps)
+        off = np.abs(corners - middle).max(axis=0)
+        assert way[off < np.abs(middle[0]) / 8].all()
+        said += np.count_nonzero(way)
+        clear += np.count_nonzero(off < np.abs(middle[0]) / 8)
+    assert said >= clear > 0
+    assert said < 5 * COUNT or error < 0.01
