@@ -5,19 +5,15 @@ a force that is held in between.  The hand gains energy if the wall gives more t
 burns.  Which inequality forbids this, and is it the whole truth?
 """
 
-from sympy import I, S, cos, exp, re
+from sympy import re
 
 from symhaptic.book.lemmas.answers import PUSHES, exactly, holds, no_motion_gains
 from symhaptic.book.lemmas.answers import pulled as gives_energy
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
-from symhaptic.notation import K, T, b, d, function, omega, p_k, theta, v, x, z
+from symhaptic.notation import b, function, p_k, v
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import TAPS
-from symhaptic.proof.theorems.familiar import square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 
 def derive(page):

@@ -4,8 +4,6 @@ Passivity is used because it survives when systems are connected. We ask which c
 are, and what stability it is that follows.
 """
 
-from sympy import I, Rational, S, pi, symbols
-
 from symhaptic.book.lemmas.connections import (
     DAMPED,
     HELD,
@@ -17,15 +15,12 @@ from symhaptic.book.lemmas.connections import (
     passive_wall_is_stable,
     stays_on_circle,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import passive_in_numbers
 from symhaptic.model.passivity import real_part
 from symhaptic.model.plant import Plant
-from symhaptic.notation import B, F, K, T, alpha, b, beta, d, delta, gamma, m, omega, s, t, v
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import F, b, v
 from symhaptic.paper.propositions.systems import FREQUENCY, KIND, R_1, R_2, X_1, X_2
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, conj
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all, not_all
 
 
 def derive(page):

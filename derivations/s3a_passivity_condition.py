@@ -5,8 +5,6 @@ coupled to a device whose only loss is its damping $b$. We ask for which $(K,B)$
 the device can extract energy.
 """
 
-from sympy import Rational, S, cos, sin
-
 from symhaptic.book.lemmas.condition import (
     apart,
     frequencies_met,
@@ -19,20 +17,10 @@ from symhaptic.book.lemmas.largest_damping import margins
 from symhaptic.book.lemmas.mass import no_mass_differs, of_mass
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS
 from symhaptic.book.lemmas.passivity import passive_by_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity, wall
-from symhaptic.notation import B, K, T, b, d, omega, theta, x, y
-from symhaptic.notation.proposition import whole
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.familiar import bounded, square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume
-from symhaptic.proof.theorems.tactics import (
-    counterexample,
-    either_way,
-    example,
-    follows,
-    for_all,
-)
+from symhaptic.notation import b
+from symhaptic.proof.theorems.familiar import bounded
 
 
 def derive(page):

@@ -4,31 +4,17 @@ The highest and the lowest point of the passive walls are those without stiffnes
 frequency decides there, and whether the boundary really ends at $K=0$.
 """
 
-from sympy import Eq, Rational, S, cos, pi
-
 from symhaptic.book.lemmas.largest_damping import (
     between,
     divisors,
     limit_points,
     upper_frequency,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, omega, theta, x, y
-from symhaptic.notation.proposition import negated
+from symhaptic.notation import b
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.familiar import bounded, square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    add_assum,
-    assume,
-    conj,
-    conjunct,
-    mp,
-    not_intro,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
+from symhaptic.proof.theorems.familiar import bounded
 
 
 def derive(page):

@@ -4,20 +4,14 @@ It is the rightmost point of the boundary. There a change of the damping must no
 coefficient in the condition vanishes; that fixes the frequency, and everything else follows.
 """
 
-from sympy import Eq, Rational, S, cos, diff, pi, sin, sqrt, tan
-
 from symhaptic.book.lemmas.motions import half_late, not_passive
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import bound, stiffest_wall
 from symhaptic.book.lemmas.stiffness_ratio import case, ratio
 from symhaptic.book.lemmas.tip_frequency import first_without_damping
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, omega, theta
-from symhaptic.notation.proposition import whole
+from symhaptic.notation import b
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 
 def derive(page):

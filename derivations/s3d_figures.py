@@ -4,34 +4,19 @@ Fig. 4 of the paper draws the boundary for seven delays, two of them fractions o
 looks like is told in \chapter{s3b_rise}. For which delays are these the passive walls?
 """
 
-from sympy import Rational, S, cos, pi, sin, tan
-
 from symhaptic.book.figures.passivity import passive_regions
 from symhaptic.book.lemmas.drawn import drawn
 from symhaptic.book.lemmas.motions import half_late
 from symhaptic.book.lemmas.passivity import PASSIVE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional, passivity
-from symhaptic.notation import B, K, T, b, d, epsilon, h, l, omega, theta, y
-from symhaptic.notation.proposition import whole
+from symhaptic.notation import b, h
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.figures import DELAYS
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.ball import ball
 from symhaptic.proof.roots import decimals
 from symhaptic.proof.series import limit
 from symhaptic.proof.theorems.definitions import gains
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    add_assum,
-    assume,
-    conj,
-    conjunct,
-    disj,
-    mp,
-    not_intro,
-)
-from symhaptic.proof.theorems.leaves import identity, number
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 UNIT = {b: 1, T: 1}
 

@@ -4,17 +4,14 @@ The boundary runs through the angles $0<\theta<\pi$. We ask for its two ends, fo
 which it starts, and how it lies there against the line $\beta+\delta=\alpha(d+\tfrac12)$ of (25).
 """
 
-from sympy import I, Rational, S, cosh, exp, pi, sinh, sqrt, symbols
-
 from symhaptic.book.lemmas.cotangent import cotangent_exceeds
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.passivity import on_circle
-from symhaptic.notation import alpha, beta, c, d, delta, gamma, h, nu, s_1, s_2, theta, z
+from symhaptic.notation import c, h
 from symhaptic.proof.enclosed import value as enclosed
-from symhaptic.proof.theorems.familiar import device_static
-from symhaptic.proof.theorems.kernel import assume
 
 E, N_1, N_0 = symbols("e n_1 n_0")
 TOTAL = N_1 + N_0

@@ -4,14 +4,10 @@ Fig. 8 of the paper looks at the stable walls for $d=0$ near the origin, for fiv
 bound moves with the spring, as it should. Does the bottom?
 """
 
-from sympy import S
-
 from symhaptic.book.figures.stability import origin as close_up
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed_origin import origin
-from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1
 from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.tactics import example
 
 
 def derive(page):

@@ -5,17 +5,14 @@ is known in closed form. We show that the first arc, $0<(d+1)\theta<\pi/2$, and 
 enclose the stable walls, all of them and nothing else.
 """
 
-from sympy import Eq, I, Ne, Rational, cos, cot, diff, exp, sin, tan
+from sympy import cot
 
 from symhaptic.book.figures.passivity import free_mass
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, loop, plant
 from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle, real_part
-from symhaptic.notation import alpha, beta, d, tau, theta, x, y, z
-from symhaptic.proof.theorems.familiar import square
-from symhaptic.proof.theorems.kernel import assume
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, over, positive, sine_of_half
+from symhaptic.notation import tau
 
 FREE = Parts(stiffness=False, damping=False)
 ANGLE = (d + 1) * theta

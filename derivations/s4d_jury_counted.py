@@ -7,18 +7,15 @@ any of them idle, and how large do they become?
 
 from itertools import combinations
 
-from sympy import Mul, Rational, S, symbols, sympify
+from sympy import Mul, sympify
 
 from symhaptic.book.lemmas.jury_inequalities import decided_by_jury, jury_decides
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities, collected
 from symhaptic.model import jury, plant
 from symhaptic.model.parts import Parts
 from symhaptic.model.plant import Sampled
-from symhaptic.notation import a, alpha, beta, e, n_0, n_1, z
-from symhaptic.notation.proposition import And, Exists, negated
-from symhaptic.proof.theorems.kernel import conj, exists
-from symhaptic.proof.theorems.tactics import fact
 
 FREE = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
 HEAVY = Sampled(Rational(17, 100), Rational(4, 100), Rational(101, 100), Rational(1, 100))

@@ -4,15 +4,11 @@ A wall that pulls harder than the arm's spring holds cannot be stable. We ask wh
 only limit on the left: does the stable region always reach the line $\alpha=-\gamma$?
 """
 
-from sympy import Eq, I, diff, exp, sin
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import loop, plant
 from symhaptic.model.parts import FULL, Parts
-from symhaptic.notation import alpha, beta, c, d, delta, gamma, n_0, n_1, phi, r, t, v, x, z
-from symhaptic.proof.theorems.familiar import device_static
-from symhaptic.proof.theorems.kernel import assume
-from symhaptic.proof.theorems.leaves import combined
+from symhaptic.notation import c, r, v
 
 
 def derive(page):

@@ -4,21 +4,13 @@ Without delay it does, for the arms of (23). A delay of one period changes nothi
 soft as an arm's, and it does for a stiff one.
 """
 
-from sympy import Eq, Rational, S, pi, symbols
-
 from symhaptic.book.lemmas.left_bound import SOFT, bound_of_arms, left_bound
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.model import loop, plant
 from symhaptic.model.parts import Parts
-from symhaptic.notation import a, alpha, beta, d, delta, gamma, n_0, x, z
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import damped_region_ends_on_the_line
-from symhaptic.proof.theorems.familiar import device_static
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume, conj, disj
-from symhaptic.proof.theorems.leaves import combined, roots_inside
-from symhaptic.proof.theorems.tactics import example, fact, for_all
 
 
 def derive(page):

@@ -5,12 +5,9 @@ Without a spring one angle is enough, and no root has to be counted: a quadratic
 angles decide.
 """
 
-from sympy import I, Rational, S, cos
-
-from symhaptic.book.lemmas.free_wall import GIVEN, stronger, stronger_everywhere, surplus, y
+from symhaptic.book.lemmas.free_wall import GIVEN, stronger, stronger_everywhere, surplus
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import on_circle
-from symhaptic.notation import a, alpha, beta, e, n_0, n_1, theta, z
-from symhaptic.proof.theorems.tactics import example
 
 
 def derive(page):

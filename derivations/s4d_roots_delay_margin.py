@@ -5,8 +5,6 @@ a root can cross the circle ignore the delay, as shown before; we ask at which o
 and when the first one does.
 """
 
-from sympy import I, Rational, S, pi, symbols
-
 from symhaptic.book.figures.stability import delay_margins
 from symhaptic.book.lemmas.crossing import (
     at_one_angle,
@@ -14,11 +12,10 @@ from symhaptic.book.lemmas.crossing import (
     one_angle,
     speed_outwards,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.model.passivity import real_part
-from symhaptic.notation import alpha, beta, d, delta, gamma, theta, u, w
-from symhaptic.notation.proposition import both
-from symhaptic.proof.theorems.kernel import conj
+from symhaptic.notation import u, w
 
 
 def derive(page):

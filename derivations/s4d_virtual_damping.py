@@ -4,19 +4,11 @@ A physical damper only takes energy. The virtual one acts on the mean speed of t
 and is held for the next. We look for a bound that no stable wall can exceed.
 """
 
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.damping_bound import bounded_damping
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.model import loop
-from symhaptic.notation import alpha, beta, d, delta, gamma, n_0, z
 from symhaptic.paper.propositions.stability import AFTER, lost_by_damping
-from symhaptic.proof.theorems.kernel import (
-    add_assum,
-    conj,
-    exists,
-)
-from symhaptic.proof.theorems.tactics import fact, for_all
 
 ARM = {gamma: Rational(1, 1000), delta: Rational(1, 50), alpha: Rational(1, 20)}
 """The largest spring and damper of (23)."""

@@ -4,13 +4,8 @@ Fig. 10 marks errors of 2 and 5 per cent. On the boundary we look for a range of
 which the larger of these levels is not exceeded, for every arm of (23).
 """
 
-from sympy import S
-
 from symhaptic.book.lemmas.linear_small_error import above, below, small_errors
-from symhaptic.notation import alpha, beta, delta, gamma
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.tactics import example
+from symhaptic.book.lemmas.prelude import *
 
 
 def derive(page):

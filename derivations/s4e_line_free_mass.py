@@ -4,16 +4,11 @@ For a free mass the line of (25) is the tangent of the boundary at its start, th
 which side of it the stable walls lie, for every delay.
 """
 
-from sympy import Rational, S, cos, sin
-
 from symhaptic.book.lemmas.linear_free_mass import above_the_line, minors, of_a_free_mass
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import Parts
-from symhaptic.notation import alpha, beta, d, theta
-from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions.linear import of_a_free_mass as claimed
-from symhaptic.proof.theorems.kernel import conj
-from symhaptic.proof.theorems.tactics import example
 
 HALF = Rational(1, 2)
 LATE = (d + 1) * theta

@@ -4,20 +4,16 @@ The paper identifies its (24) with the straight part (9) of the passivity bounda
 there to obtain passive walls. We compare the two, and ask what becomes of the arm's damping.
 """
 
-from sympy import Eq, Rational, S, sympify
+from sympy import sympify
 
 from symhaptic.book.lemmas.linear_passive import passive_on_the_line as on_the_line
 from symhaptic.book.lemmas.linear_passive import same_condition
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS, TO_AND_FRO
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import lag, linear, passivity
-from symhaptic.notation import B, K, T, alpha, b, b_D, b_H, beta, d, delta, m, t_d, t_e, theta
-from symhaptic.notation.proposition import whole
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import b, t_e
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.proof.theorems.definitions import gains
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 HALF = Rational(1, 2)
 

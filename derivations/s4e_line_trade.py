@@ -5,18 +5,13 @@ discrete time dissipates like damping in continuous time. On the exact boundary 
 the other.
 """
 
-from sympy import Rational, S, diff, symbols
-
 from symhaptic.book.lemmas.linear_trade import at_point, exchanged
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.model import boundary, linear
 from symhaptic.model.passivity import on_circle
-from symhaptic.notation import alpha, beta, d, delta, gamma, h, nu, s_1, s_2, theta, x, z
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import h
 from symhaptic.paper.propositions.linear import EXCHANGED, decides
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 HALF = Rational(1, 2)
 G = symbols("g")

@@ -4,19 +4,13 @@ Table I turns $(K,B)$ into $(\alpha,\beta)$. The passive walls can then be drawn
 ones, and only the damping $\delta$ and the delay are left.
 """
 
-from sympy import Eq, Rational, S, pi
-
 from symhaptic.book.lemmas.motions import STEPS, half_late, not_on_boundary
 from symhaptic.book.lemmas.normalised_boundary import above_in_units, in_units
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, m, omega_hat, theta
-from symhaptic.notation.proposition import whole
+from symhaptic.notation import b, omega_hat
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import BORDER
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume, conj, conjunct, disch
-from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 
 
 def derive(page):

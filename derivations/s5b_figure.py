@@ -4,15 +4,13 @@ Fig. 12 of the paper draws both over the delay, and the ratio $\eta$ of the pass
 one. Stable walls are stiffer, but the ratio comes close to one. What happens there, and beyond?
 """
 
-from sympy import S, cos, exp, pi, sin, symbols, tan
-
 from symhaptic.book.figures.stability import largest_stiffnesses
 from symhaptic.book.lemmas.figure12 import drawn
 from symhaptic.book.lemmas.near_tip import none_above
 from symhaptic.book.lemmas.outweighed import stable_behind_every_delay
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, passivity, plant
 from symhaptic.model.passivity import on_circle
-from symhaptic.notation import K, T, a, alpha, d, delta, e, n_0, n_1, phi, theta, z
 from symhaptic.paper.propositions.ratio import PEAKS
 from symhaptic.paper.ranges import DAMPED
 

@@ -4,34 +4,14 @@ For a soft contact the paper lowers the virtual stiffness down to zero and expec
 stability. We keep the virtual damping and ask for which walls this is so.
 """
 
-from sympy import Rational, S, cos, pi
-
 from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.softer import stays_passive
 from symhaptic.book.lemmas.walls import damped, margins, met, unstable
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, alpha, b, beta, d, delta, gamma, omega, theta, y, z
-from symhaptic.notation.proposition import negated, proposition, whole
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import b
 from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.proof.theorems.definitions import loop_substituted
-from symhaptic.proof.theorems.familiar import not_negative
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume, conjunct, inst, mp, not_intro
-from symhaptic.proof.theorems.leaves import (
-    number,
-    root_outside,
-    roots_inside,
-)
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    counterexample,
-    denied_by,
-    example,
-    fact,
-    for_all,
-)
 
 
 def derive(page):

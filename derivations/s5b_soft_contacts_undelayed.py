@@ -4,15 +4,11 @@ With delay a stable wall can become unstable when its stiffness falls while its 
 \chapter{s5b_soft_contacts} shows. We ask for which arms that cannot happen without delay.
 """
 
-from sympy import Rational, S, diff
-
 from symhaptic.book.lemmas.arm_numbers import pushed
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.book.lemmas.turned_down import claim, turned_down
 from symhaptic.model import jury
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, s_1, x
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.tactics import example, for_all
 
 RISE = n_1 + n_0
 IN_WIDE = r"0\le\gamma\le0.01,\ 0\le\delta\le0.1"

@@ -6,6 +6,7 @@ Every whole delay is asked here, for the arm with the spring.
 
 from symhaptic.book.lemmas.near_tip import none_above
 from symhaptic.book.lemmas.outweighed import stable_behind_every_delay
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import (
     PEAK,
     SPRUNG,
@@ -14,13 +15,7 @@ from symhaptic.book.lemmas.ratio_peak import (
     near_one,
     never_met,
 )
-from symhaptic.notation import gamma
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.ranges import STIFF
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import disj
-from symhaptic.proof.theorems.leaves import identity
-from symhaptic.proof.theorems.tactics import counterexample
 
 
 def derive(page):

@@ -4,20 +4,12 @@ The device returns to its mirror image after each period, a little smaller if it
 what this leaves to the wall.
 """
 
-from sympy import S, pi
-
 from symhaptic.book.lemmas.mirror import inside, mirrored_pole, split, triangle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import loop
 from symhaptic.model.parts import Parts
-from symhaptic.notation import alpha, beta, d, delta, gamma, l, z
-from symhaptic.notation.proposition import Relation, whole
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import kept_at_minus_one, q
 from symhaptic.proof.theorems.familiar import held_by_a_pole
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, conj
-from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.tactics import example, fact, for_all
 
 
 def derive(page):

@@ -4,18 +4,12 @@ The conclusion of the paper: much faster sampling does not gain much where the d
 and more mass gains nothing. Here the delay $t_d=dT$ is kept while $T$ shrinks.
 """
 
-from sympy import S, pi, tan
-
 from symhaptic.book.lemmas.faster import SLOW, SOON, farthest, gained, much, not_slow, slow
 from symhaptic.book.lemmas.faster_passive import claim, gains_little
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import plant, wall
-from symhaptic.notation import B, K, T, b, d, delta, gamma, h, k, m, t_d
-from symhaptic.notation.proposition import whole
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import b, h
 from symhaptic.paper.propositions.conclusion import FASTER
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import counterexample, example, fact, for_all
 
 
 def derive(page):

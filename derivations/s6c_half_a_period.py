@@ -6,17 +6,13 @@ $d=\ell+\tfrac12$. The two boundaries are $Q=-z^{\ell+1}A/M$ and $Q_p=-z^dA/N$. 
 stable in truth is stable in the paper's reading, and not the other way around.
 """
 
-from sympy import I, S, cos, exp, pi, sin, sqrt
-
 from symhaptic.book.lemmas.half_late_circle import TRUE, no_crossing, q
 from symhaptic.book.lemmas.half_late_mass import half_late_mass, on_the_axis, stable_as_read, stands
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.principal import one_error, read_too_largely
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle, real_part
-from symhaptic.notation import alpha, beta, epsilon, l, theta, z
-from symhaptic.notation.proposition import whole
-from symhaptic.proof.theorems.tactics import example
 
 
 def derive(page):

@@ -4,7 +4,7 @@ For whole delays it is, because the motion at a root on the unit circle would ex
 same motion is looked at again, with a force that changes inside the period.
 """
 
-from sympy import S, eye
+from sympy import eye
 
 from symhaptic.book.lemmas.half_late_passive import DAMPED, passive_with
 from symhaptic.book.lemmas.late_passive_is_stable import (
@@ -14,29 +14,10 @@ from symhaptic.book.lemmas.late_passive_is_stable import (
     late_passive_walls_are_stable,
     no_crossing,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import Parts
-from symhaptic.notation import (
-    F,
-    T,
-    alpha,
-    b,
-    beta,
-    c,
-    delta,
-    epsilon,
-    gamma,
-    l,
-    p_k,
-    q_k,
-    v,
-    w,
-    x,
-    y,
-    z,
-)
-from symhaptic.proof.theorems.kernel import inst
-from symhaptic.proof.theorems.tactics import closed, example, one
+from symhaptic.notation import F, b, c, p_k, q_k, v, w
 
 
 def derive(page):

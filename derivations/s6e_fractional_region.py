@@ -5,14 +5,12 @@ against the exact condition at two places that the paper speaks of: at low frequ
 stiffness.
 """
 
-from sympy import Rational, S, cos, sin
-
 from symhaptic.book.figures.fractional import passive_regions
 from symhaptic.book.lemmas.late_damping import damping_late, limit_points
 from symhaptic.book.lemmas.late_passivity import GIVEN, low_frequencies, needed_at_low_frequencies
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional
-from symhaptic.notation import B, K, T, b, epsilon, l, theta
-from symhaptic.proof.theorems.tactics import example
+from symhaptic.notation import b
 
 HALF = Rational(1, 2)
 

@@ -5,15 +5,13 @@ need the whole damping of the device at an angle lie on a circle, and a passive 
 stiffer than the stiffest of these.
 """
 
-from sympy import Rational, S, cos, sin, symbols
-
 from symhaptic.book.lemmas.late_passivity import GIVEN
 from symhaptic.book.lemmas.late_stiffness import ALONG, SHARE, UP, bounded, bounded_at_every_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.forms import stiffest_passive
 from symhaptic.forms.entire import written_out
 from symhaptic.model import fractional
-from symhaptic.notation import B, K, T, b, epsilon, kappa, l, theta
-from symhaptic.proof.theorems.tactics import example
+from symhaptic.notation import b, kappa
 
 HALF = theta / 2
 

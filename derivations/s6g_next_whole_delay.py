@@ -4,8 +4,6 @@ The paper's formulas are exact for whole delays. If a fractional delay is never 
 whole one, rounding the delay up keeps what they say of whole delays. It is so for every wall.
 """
 
-from sympy import cos, sin, tan
-
 from symhaptic.book.lemmas.late_passivity import GIVEN
 from symhaptic.book.lemmas.next_whole import (
     NEXT_WALL,
@@ -17,9 +15,9 @@ from symhaptic.book.lemmas.next_whole import (
     rounded_up,
     safe_when_rounded_up,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional, passivity
-from symhaptic.notation import B, K, N, T, b, chi, d, epsilon, kappa, l, psi, r, theta, u, w
-from symhaptic.proof.theorems.tactics import example, positive
+from symhaptic.notation import b, chi, kappa, r, u, w
 
 
 def derive(page):

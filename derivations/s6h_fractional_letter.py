@@ -4,8 +4,6 @@ With $d=r/q$ the paper turns $z^{-d}$ into a polynomial by substituting $z=\zeta
 letter, all its roots have to lie inside the unit circle, and that no wall of the figures can do.
 """
 
-from sympy import Eq, Rational, S
-
 from symhaptic.book.lemmas.letter import (
     GIVEN,
     drawn_otherwise,
@@ -16,12 +14,8 @@ from symhaptic.book.lemmas.letter import (
     within_the_spring,
 )
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1
-from symhaptic.proof.theorems.familiar import device_static
-from symhaptic.proof.theorems.kernel import assume
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import example
 
 HALF = Rational(1, 2)
 

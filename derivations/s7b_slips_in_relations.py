@@ -4,16 +4,9 @@ The text bounds $\gamma$ by an interval of numbers. By (30) the bound is
 $\pi^2+\frac14\delta^2$, and it is this number that lies in the interval.
 """
 
-from sympy import Rational, S
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.slips import neither_end
-from symhaptic.notation import delta, gamma
 from symhaptic.paper.propositions.slips import END, ENDS, within
-from symhaptic.proof.theorems.familiar import square
-from symhaptic.proof.theorems.judge import Case, taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, conj
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import either_way, example, for_all, positive
 
 
 def derive(page):
