@@ -16,7 +16,6 @@ from symhaptic.notation import tau
 
 FREE = Parts(stiffness=False, damping=False)
 ANGLE = (d + 1) * theta
-HALF = Rational(1, 2)
 BENT = (1 + 2 * cos(theta / 2) ** 2) / sin(theta / 2) ** 4
 CURVATURE = (d + 1) ** 2 * cos(ANGLE) + alpha * BENT / 8
 

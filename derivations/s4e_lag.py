@@ -11,8 +11,6 @@ from symhaptic.model.plant import Plant
 from symhaptic.notation import b, t_e
 from symhaptic.paper import STATEMENTS
 
-HALF = Rational(1, 2)
-
 
 def derive(page):
     neglected(page)

@@ -22,7 +22,6 @@ from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.linear import lagging
 
-HALF = Rational(1, 2)
 ONES = {m: S.One, T: S.One, t_d: HALF}
 
 

@@ -11,7 +11,6 @@ from symhaptic.model import boundary, lag, linear, plant
 from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha_lin, kappa
 
-HALF = Rational(1, 2)
 Y = linear.CHORD
 GAP = linear.GAP
 G, MU, SIGMA = symbols("g mu sigma")

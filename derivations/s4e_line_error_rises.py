@@ -11,8 +11,6 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import lag
 from symhaptic.paper.propositions.linear_error import LATER, rises
 
-HALF = Rational(1, 2)
-
 
 def derive(page):
     page.say(

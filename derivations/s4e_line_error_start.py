@@ -16,7 +16,6 @@ from symhaptic.notation import Omega
 from symhaptic.paper.propositions.linear_error import corner
 from symhaptic.paper.ranges import STIFF
 
-HALF = Rational(1, 2)
 GAP = linear.GAP
 
 

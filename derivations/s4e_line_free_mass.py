@@ -10,7 +10,6 @@ from symhaptic.model import boundary, plant
 from symhaptic.model.parts import Parts
 from symhaptic.paper.propositions.linear import of_a_free_mass as claimed
 
-HALF = Rational(1, 2)
 LATE = (d + 1) * theta
 
 

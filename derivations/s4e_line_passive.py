@@ -15,8 +15,6 @@ from symhaptic.notation import b, t_e
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.proof.theorems.definitions import gains
 
-HALF = Rational(1, 2)
-
 
 def derive(page):
     low = b + B - K * T * (d + HALF)

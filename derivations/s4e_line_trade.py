@@ -13,7 +13,6 @@ from symhaptic.model.passivity import on_circle
 from symhaptic.notation import h
 from symhaptic.paper.propositions.linear import EXCHANGED, decides
 
-HALF = Rational(1, 2)
 G = symbols("g")
 
 

@@ -5,15 +5,14 @@ tip the zeros of the loop show that no stable wall, wherever it lies, is stiffer
 makes every tangent of the upper boundary a bound of the stable walls.
 """
 
-from sympy import Function, I, Rational, S, cos, exp, sin, symbols, tan
+from sympy import Function
 
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.tangent import all_tangents, all_tips, tangents, tips
 from symhaptic.bounds.walls import DEVICE
 from symhaptic.model import boundary
 from symhaptic.model.passivity import on_circle
-from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, phi, tau, theta, u, v, x, y, z
-from symhaptic.notation.proposition import whole
-from symhaptic.proof.theorems.tactics import example, fact
+from symhaptic.notation import tau, u, v
 
 PLANT, FORCE = DEVICE.denominator, DEVICE.numerator
 WALL = (alpha + beta) * z - beta

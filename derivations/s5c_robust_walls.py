@@ -5,8 +5,7 @@ up to the Nyquist frequency. We ask how much stiffer it can be than a passive wa
 and damping do to it.
 """
 
-from sympy import Rational
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.robust import (
     STIFFEST,
     WALLS,

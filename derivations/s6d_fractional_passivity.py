@@ -16,7 +16,6 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional, passivity, wall
 from symhaptic.notation import b, function, p_k, q_k, r, u, w
 
-HALF = Rational(1, 2)
 N, NEED = symbols("n"), function("b_0")
 KERNEL = K * T / (2 * sin(theta / 2))
 

@@ -12,8 +12,6 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional
 from symhaptic.notation import b
 
-HALF = Rational(1, 2)
-
 POINT = {K: S.One, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: HALF}
 
 

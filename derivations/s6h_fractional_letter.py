@@ -17,8 +17,6 @@ from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
 
-HALF = Rational(1, 2)
-
 
 def derive(page):
     page.say(

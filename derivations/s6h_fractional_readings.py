@@ -10,8 +10,6 @@ from symhaptic.book.lemmas.principal import both_errors, read_wrongly
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import Parts
 
-HALF = Rational(1, 2)
-
 
 def derive(page):
     page.say(

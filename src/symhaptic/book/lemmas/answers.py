@@ -1,7 +1,5 @@
 """Which environments h_0 + h_1/z + h_2/z^2 give no energy away: (4) for any three answers."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.largest_damping import divisors
 from symhaptic.book.lemmas.passivity import INSIDE

@@ -1,10 +1,8 @@
 """Bounds of gamma and delta by what arm and device have on their own."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation import b, second
-from symhaptic.paper.propositions.arm import x, y, y_D, y_H
+from symhaptic.paper.propositions.arm import y_D, y_H
 
 PLAIN = dict.fromkeys((T, m_D, m_H, b_D, b_H, k_H, delta), S.One) | {gamma: S.Half}
 """An arm and a device in ones."""

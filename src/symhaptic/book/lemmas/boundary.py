@@ -1,7 +1,5 @@
 """The walls that put a zero of the loop at exp(j theta), and where that curve begins."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import mirror
@@ -12,8 +10,6 @@ from symhaptic.paper.propositions.stability import (
     on_boundary,
     stiffness,
 )
-
-HALF = S.Half
 
 
 @cache

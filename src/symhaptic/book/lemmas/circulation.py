@@ -1,7 +1,5 @@
 """What the rules in circulation allow: walls with a margin at every angle, and a free mass."""
 
-from __future__ import annotations
-
 from sympy import cancel
 
 from symhaptic.book.lemmas.linear_part import margin_below
@@ -13,7 +11,6 @@ from symhaptic.notation import b
 from symhaptic.proof.theorems.definitions import loop
 from symhaptic.rules.claims import EXACT, STABLE, UNITS
 
-HALF = S.Half
 FREE = (alpha, beta, S.Zero, S.Zero, S.Zero)
 """A free mass without delay."""
 

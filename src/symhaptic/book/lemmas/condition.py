@@ -1,7 +1,5 @@
 """(5) at every frequency decides, but for walls that pull, fractional delays and the border."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.largest_damping import divisors
 from symhaptic.book.lemmas.passivity import PASSIVE, every_margin, passive_by_angle

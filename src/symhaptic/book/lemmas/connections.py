@@ -1,7 +1,5 @@
 """Systems side by side and fed back to each other are passive if each of them is."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.late_passive_is_stable import late_passive_is_stable
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.comparison import LOOP, PASSIVE_WALL

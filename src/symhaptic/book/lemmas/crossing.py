@@ -1,7 +1,5 @@
 """At which angle can zeros leave the circle while the delay grows?  Plant and wall as two parts."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import mirror
 

@@ -4,8 +4,6 @@ The device has a = 1 + e and 1 - e = delta (n_1 + n_0), so that Jury's inequalit
 n_0 and delta.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.arm_numbers import pushed
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import DEVICE

@@ -1,7 +1,5 @@
 """No stable wall has more virtual damping than a bound, whatever its stiffness and the delay."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.comparison import STABLE

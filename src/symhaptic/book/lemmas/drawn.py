@@ -1,7 +1,5 @@
 """What Fig. 4 draws: the curve (7), the line (8) and the tip (11) of a whole delay, and no more."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.linear_part import on_line
 from symhaptic.book.lemmas.lower_boundary import nothing_else
 from symhaptic.book.lemmas.passive_boundary import on_boundary

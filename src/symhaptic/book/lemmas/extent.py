@@ -4,8 +4,6 @@ With u = KT/2 >= 0 and w = B + KT/2 the margin is margin(psi) = b - u cot psi si
 w cos N psi, for psi = theta/2 and N = 2(d+1) >= 2; all numbers are real.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import lowest_coefficients
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation import b, u, w

@@ -1,7 +1,5 @@
 """How many times as stiff, and as damped, stable walls can be as passive ones, in numbers."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
 from symhaptic.book.lemmas.passive_tip import at_unit, is_passive, passive_tip, softer_than_the_tip
 from symhaptic.book.lemmas.prelude import *

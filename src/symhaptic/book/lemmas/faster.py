@@ -1,7 +1,5 @@
 """What faster sampling gains at the same delay: little at ten periods, much at one."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.counted_delays import counted
 from symhaptic.book.lemmas.figure9 import valued
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below

@@ -3,8 +3,6 @@
 By (11) that stiffness is 2 b/T tan(pi/(4 (d+1))), and the tangent over its angle rises.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_tip import passive_wall
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import TURN, bound, waves

@@ -1,7 +1,5 @@
 """Fig. 10: the boundary for ten plants, and the walls on it whose linear condition errs so much."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.figure9 import each_value, right_of_the_line

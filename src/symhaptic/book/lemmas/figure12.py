@@ -1,7 +1,5 @@
 """Fig. 12: the largest stable stiffness of five delays, and how the ratio runs with the delay."""
 
-from __future__ import annotations
-
 import itertools
 
 from symhaptic.book.lemmas.chords import not_zero

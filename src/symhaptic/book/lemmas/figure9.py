@@ -1,7 +1,5 @@
 """Fig. 9: what bounds the stable walls one and two periods late, at the four limits of (23)."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
 from symhaptic.book.lemmas.one_plane import stable_curve

@@ -1,7 +1,5 @@
 """A wall beside a device without a spring: where one of them is stronger on the circle."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 
 y = symbols("y")

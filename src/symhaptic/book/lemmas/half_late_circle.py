@@ -5,15 +5,12 @@ v = exp(j psi) that of a wall which is weaker by MU : KAPPA.  Where f is zero, F
 inside says (l + 2) (1 + KAPPA/MU)/2 < w, and w is the rise of the phase of W with 2 psi.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.principal import FREE, true_loop
 from symhaptic.model.passivity import mirror
 from symhaptic.proof.theorems.familiar import bounded
 
 q, n, u = (Symbol(name) for name in "qnu")
-HALF = Rational(1, 2)
 LOOP = (alpha, beta, S.Zero, S.Zero, l + HALF)
 TRUE = Predicate("stable_loop", (), LOOP)
 WALL = {alpha: alpha, beta: beta}

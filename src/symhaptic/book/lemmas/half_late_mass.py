@@ -5,8 +5,6 @@ v P(v) = F(v^2) - (v-1)^4 W(v^2)/8.  Along F(v^2) - q (v-1)^4 W(v^2)/8, 0 < q <=
 the border of the region 0 < Re v, 1 <= |v|.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.half_late_circle import (
     LOOP,
     STIFF,

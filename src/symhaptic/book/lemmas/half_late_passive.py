@@ -1,7 +1,5 @@
 """Passive walls half a period late: a quadratic in cos(theta/2)^2."""
 
-from __future__ import annotations
-
 from sympy import atan
 
 from symhaptic.book.lemmas.late_passivity import passive_late
@@ -9,7 +7,6 @@ from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle, passive_by_a
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation import b
 
-HALF = S.Half
 QUADRATIC = (
     b**2
     - b * K * T * x

@@ -1,7 +1,5 @@
 """The inequalities that ``symhaptic.jury`` returns are those of the criterion, and decide."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities

@@ -1,7 +1,5 @@
 """The damping of walls that meet (5), for every real delay, and the frequency that bounds it."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.extent import ends
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *

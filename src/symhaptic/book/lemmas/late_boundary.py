@@ -1,7 +1,5 @@
 """The walls that put a zero of a loop on the circle that is late by a fraction of a period."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.boundary import explicit_wall
 from symhaptic.book.lemmas.late_device import BOTTOM, TOP
 from symhaptic.book.lemmas.late_loop import (

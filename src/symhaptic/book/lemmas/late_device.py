@@ -4,8 +4,6 @@ With the motion g(t) under a unit force from rest, n_1 = g(1), n_0 = g(2) - (1+a
 m_2 = g(1-epsilon), m_1 = g(2-epsilon) - (1+a) m_2, and m_2 + m_1 + m_0 = n_1 + n_0.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from symhaptic.book.lemmas.prelude import *

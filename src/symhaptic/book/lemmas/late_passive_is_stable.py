@@ -1,7 +1,5 @@
 """A wall that is passive behind any delay keeps every damped device stable there."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.late_boundary import A, M
 from symhaptic.book.lemmas.late_device import TOP
 from symhaptic.book.lemmas.late_loop import ALL_NUMBERS, LOOP, STABLE, numbers_of_a_late_device

@@ -1,7 +1,5 @@
 """When is a wall passive that is late by a fraction of a period?  The condition at each angle."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional

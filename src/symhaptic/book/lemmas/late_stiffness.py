@@ -1,7 +1,5 @@
 """How stiff is a passive wall at most, that is late by a fraction of a period?  At each angle."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.late_passivity import EVERY_MARGIN, GIVEN, LATE, WALL, passive_late
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
 from symhaptic.book.lemmas.prelude import *

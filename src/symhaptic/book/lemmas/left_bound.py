@@ -1,7 +1,5 @@
 """Stable walls lie to the right of alpha = -gamma, and passive ones of damped arms come near it."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas import figure9
 from symhaptic.book.lemmas.boundary import at_rest
 from symhaptic.book.lemmas.lower_boundary import is_some

@@ -1,7 +1,5 @@
 """(18) to the letter, with all sheets of z^d: what of an even denominator no wall can meet."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import HALF, PI
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *

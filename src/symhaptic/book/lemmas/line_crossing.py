@@ -5,8 +5,6 @@ is not negative: there the gap s_1 - delta - gamma/2 of the arm's numbers decide
 downwards it is then positive between the start and each wall at which it is positive.
 """
 
-from __future__ import annotations
-
 from sympy import div
 
 from symhaptic.book.lemmas.arm_numbers import gap, pushed

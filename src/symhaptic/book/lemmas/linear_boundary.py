@@ -5,8 +5,6 @@ between two bounds.  There the largest of Jury's minors is what fails first, and
 stiffness.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.arm_numbers import pushed
 from symhaptic.book.lemmas.line_crossing import AT_REST, TOTAL, divided, slow
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
@@ -23,7 +21,6 @@ from symhaptic.paper.propositions.linear_error import on_boundary_at as here
 from symhaptic.paper.ranges import STIFF
 from symhaptic.proof.theorems.kernel import spec
 
-HALF = S.Half
 LOW, HIGH = -Rational(3, 100), Rational(1, 10)
 """The virtual dampings of which all this is said; no stable wall with alpha > -gamma has less."""
 

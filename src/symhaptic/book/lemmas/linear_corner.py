@@ -3,8 +3,6 @@
 The wall is that whose chord y is 25 times the gap: so near to the start the gap decides.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.arm_numbers import TOTAL, gap, together
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import ROOM, slow

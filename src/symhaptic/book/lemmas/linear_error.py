@@ -3,8 +3,6 @@
 From the start of the line a wall is seen under the slope b/A = (d + 1/2) (1 + error).
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.linear_boundary import (
     HIGH,

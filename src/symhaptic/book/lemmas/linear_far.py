@@ -3,8 +3,6 @@
 It is given by the chord y of the zero that the loop then has on the circle.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.arm_numbers import TOTAL, together
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import AT_REST, room, slow

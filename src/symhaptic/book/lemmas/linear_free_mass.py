@@ -1,11 +1,7 @@
 """The stable walls of a mass alone lie above the line of the linear condition."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.definitions import loop_substituted
-
-HALF = Rational(1, 2)
 
 
 @cache

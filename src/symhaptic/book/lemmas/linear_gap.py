@@ -1,7 +1,5 @@
 """How wide the gap between the line and the start of the boundary is at most: gamma^2 delta/32."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.arm_numbers import SLOW, damped_or_not, pushed, turned, undamped
 from symhaptic.book.lemmas.line_crossing import ROOM
 from symhaptic.book.lemmas.passive_is_stable import DEVICE

@@ -1,7 +1,5 @@
 """The line of low frequencies: its walls are on the boundary, and it decides for small damping."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import HALF
 from symhaptic.book.lemmas.corners import corner
 from symhaptic.book.lemmas.passivity import PASSIVE, passive_by_angle

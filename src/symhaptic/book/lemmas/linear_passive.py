@@ -1,7 +1,5 @@
 """The linear condition beside passivity: it is (9), and its walls are passive in a range of B."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.linear_part import passive_below
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import DELAY
@@ -9,8 +7,6 @@ from symhaptic.model import lag
 from symhaptic.notation import b
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.linear import on_or_below_the_line
-
-HALF = Rational(1, 2)
 
 
 def same_condition(linear: Any, passive: Any) -> Theorem:

@@ -4,8 +4,6 @@ Walls are counted from the start of the line, A = alpha + gamma and b = beta + d
 gamma.  On a ray Jury's largest minor is not negative at the start and bent downwards.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.line_crossing import AT_REST, ROOM, divided, room
 from symhaptic.book.lemmas.linear_boundary import (
     HALF,

@@ -5,8 +5,6 @@ On the line Jury's minor is a sum of products of A with one of these, less a mul
 surplus over the line that is larger has its sign.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.arm_numbers import SLOW, TOTAL, damped_or_not, pushed, undamped
 from symhaptic.book.lemmas.line_crossing import ROOM, divided, room, slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, on_it

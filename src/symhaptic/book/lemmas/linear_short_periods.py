@@ -1,7 +1,5 @@
 """For short periods the boundary tends to the line: the terms of second order in SI units."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.linear_far import quotient
 from symhaptic.book.lemmas.linear_second_order import near_the_line
 from symhaptic.book.lemmas.prelude import *

@@ -4,8 +4,6 @@ Jury's minor is zero on the boundary and rises with the damping.  It is positive
 cent more damping, and from alpha = 0 on negative on that of 5 per cent less.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, on_it

@@ -1,7 +1,5 @@
 """Physical damping in place of virtual damping, where (25) decides and elsewhere."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.linear import turned
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at

@@ -4,8 +4,6 @@ On the ray of this error Jury's minor is bent downwards: where it is negative at
 for all stiffer walls.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW

@@ -3,8 +3,6 @@
 A wall that leaves the line some room keeps a margin with less damping of the device.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import HALF
 from symhaptic.book.lemmas.linear_part import known, on_line
 from symhaptic.book.lemmas.passivity import PASSIVE

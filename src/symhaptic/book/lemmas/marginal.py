@@ -4,8 +4,6 @@ Fifty periods late, d = 49, the spring (pi/100)^2, which (23) allows, excludes e
 not pull if there is no damper.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall

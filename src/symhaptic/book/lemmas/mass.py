@@ -1,7 +1,5 @@
 """The mass of a device does not matter to its passivity."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passivity import WALL
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation import v

@@ -1,7 +1,5 @@
 """At the Nyquist frequency the device turns into its mirror image: a pole that no wall moves."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.model import plant

@@ -4,8 +4,6 @@ The largest of Jury's minors is positive on one side of the curve that bounds th
 it rises with the damper.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.marginal import LIMIT, NEAR
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS

@@ -4,8 +4,6 @@ It is moved a share eta of its way to (-gamma, 1), and to the right by the diffe
 springs.  Delays are none.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.spring_box import (

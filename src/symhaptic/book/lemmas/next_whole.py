@@ -6,8 +6,6 @@ r sin chi, and the margin over b^2 is 1 - r ((1 - epsilon) sin (chi - 2 psi) + e
 - epsilon (1 - epsilon) r^2 sin^2 psi.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import HALF
 from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.late_damping import END, HERE, LOW, PAIR, all_between, begins, ends

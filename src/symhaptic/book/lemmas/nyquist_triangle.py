@@ -4,8 +4,6 @@ One zero of the polynomial is -f, f = exp(-delta/2), whatever the wall; the othe
 z^2 + (f + nu (alpha + beta)) z - nu beta, where nu = (1 + f)/gamma.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.springs_alike import line_and_curve
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer

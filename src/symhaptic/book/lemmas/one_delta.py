@@ -1,7 +1,5 @@
 """The damping of a held device: its own for passivity, and with the arm's for the loop."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.near_tip import CLOSE, none_above, wall_below
 from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
 from symhaptic.book.lemmas.passive_tip import at_unit, passive_tip

@@ -1,7 +1,5 @@
 """Figs. 11 and 13: what the curves of passive and of stable walls are, and which lies inside."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.boundary import at_rest, zero_on_circle_is_explicit
 from symhaptic.book.lemmas.connections import passive_wall_is_stable
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable

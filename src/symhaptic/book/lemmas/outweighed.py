@@ -1,7 +1,5 @@
 """A wall that the plant outweighs all around the circle is stable behind every whole delay."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS

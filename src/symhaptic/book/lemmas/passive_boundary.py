@@ -1,7 +1,5 @@
 """Walls of (7) are on the boundary of the passive ones, behind whole delays."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.corners import on_envelope, single, wide
 from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.prelude import *

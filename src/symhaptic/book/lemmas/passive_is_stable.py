@@ -1,7 +1,5 @@
 """A wall that meets the passivity condition at every angle keeps every damped device stable."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import margin, mirror

@@ -1,7 +1,5 @@
 """The stiffest passive wall, (11), is stable with every spring, behind every whole delay."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
 from symhaptic.book.lemmas.passivity import passive_by_angle
 from symhaptic.book.lemmas.prelude import *

@@ -1,7 +1,5 @@
 """When is a wall behind a whole delay passive?  The condition at each angle, as an equivalence."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import margin
 from symhaptic.notation import b

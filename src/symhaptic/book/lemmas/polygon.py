@@ -5,8 +5,6 @@ one of the sides, for all angles of an interval, or the device outweighs all wal
 way from the one wall to any other no zero then crosses the circle.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

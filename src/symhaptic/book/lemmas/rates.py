@@ -1,7 +1,5 @@
 """Walls that meet (5) at every frequency: in proportion to the damping, and to the rate."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.passivity import scaled
 

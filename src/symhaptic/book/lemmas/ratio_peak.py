@@ -4,8 +4,6 @@ For the arm of Figs. 11 and 12.  Each delay has a stable wall next to the tip of
 long ones have the wall (0.00059, 0).
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.counted_delays import each_delay
 from symhaptic.book.lemmas.marginal import behind
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below

@@ -3,8 +3,6 @@
 A wall is measured by u = KT/2 and w = B + KT/2, its delay by N = 2(d+1).
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import HALF
 from symhaptic.book.lemmas.extent import ends, extent, first_half_turn
 from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passive_by_angle

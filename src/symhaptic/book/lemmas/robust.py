@@ -5,8 +5,6 @@ passive wall.  From above by one spring that excludes all stiffer walls; without
 and that of the Nyquist frequency.
 """
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 from scipy.optimize import minimize_scalar

@@ -1,7 +1,5 @@
 """Devices in numbers: their answers to a held force, and points at which claims fail or hold."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import DEVICE, motion
 from symhaptic.notation import b

@@ -1,7 +1,5 @@
 """Loops that differ in their units only, and walls that no other part of theirs can make stable."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import (
     damping_between,

@@ -1,7 +1,5 @@
 """Why neither end of the interval of Sec. V-C will do."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation.proposition import TRUE
 from symhaptic.paper.propositions.slips import END, ENDS, below

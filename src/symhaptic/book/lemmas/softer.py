@@ -1,7 +1,5 @@
 """A passive wall stays passive while its stiffness is taken away and its damping is kept."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import PI
 from symhaptic.book.lemmas.passive_is_stable import EVERY_MARGIN, MARGIN, margin_to_the_end
 from symhaptic.book.lemmas.passivity import INSIDE

@@ -4,8 +4,6 @@ With L = 1 - e each of Jury's inequalities gains by the spring, on a box that ho
 devices' numbers are known to a part in a million, so that their difference is known, too.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *

@@ -5,8 +5,6 @@ F = L + beta (n_1 + n_0 (1-L)) - u n_0 (1 + n_1 beta) - beta^2 n_0 S + gamma n_0
 where L = 1 - e and S = n_1 + n_0.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import (

@@ -1,7 +1,5 @@
 """Without delay two springs of (23) have nearly the same stable walls."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.moved_wall import Moved
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.spring_box import (

@@ -1,7 +1,5 @@
 """The explicit boundary in a form for computing, and the slope of its stiffness."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Block, Later, not_zero
 from symhaptic.forms.device_forms import made_of

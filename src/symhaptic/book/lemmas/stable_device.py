@@ -1,7 +1,5 @@
 """The sampled device in entire functions, without a delay and behind a fraction of a period."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Block, Later, Named, not_zero
 from symhaptic.forms import fractional_delay, stable

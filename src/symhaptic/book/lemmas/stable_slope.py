@@ -1,7 +1,5 @@
 """The slope of the stiffness on the boundary, which vanishes at the stiffest stable wall."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_boundary import (
     BOTTOM,

@@ -1,7 +1,5 @@
 """Walls that are just passive, and the linear condition, in entire functions."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Block, Later, not_zero
 from symhaptic.book.lemmas.stable_need import (

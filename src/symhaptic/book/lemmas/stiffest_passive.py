@@ -1,7 +1,5 @@
 """The stiffest passive wall behind a whole delay: the tip of the envelope."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.corners import stiffest
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.book.lemmas.prelude import *

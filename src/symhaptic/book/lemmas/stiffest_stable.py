@@ -5,8 +5,6 @@ on the box.  The last of them, of the largest minor, falls with the stiffness: w
 one stiffness for every damping, no stiffer wall is stable.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities

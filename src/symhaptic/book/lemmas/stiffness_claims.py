@@ -1,7 +1,5 @@
 """A wall beside all others: that a stable wall outdoes the passive ones, and the other way."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import largest_of
 from symhaptic.book.lemmas.stiffest_stable import Ranges, no_stiffer, stable_wall

@@ -1,7 +1,5 @@
 """The largest passive stiffness of a delay over that without delay, for every b > 0 and T > 0."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import largest_of

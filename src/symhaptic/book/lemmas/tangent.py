@@ -7,8 +7,6 @@ left.  The form is negative definite for 1 < (d + 1 - (n1^2 - n0^2)/|N|^2) sin(t
 from (d + 1) theta = 1 on, about.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.outpaced import ROOM, room
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *

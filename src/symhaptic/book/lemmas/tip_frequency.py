@@ -1,7 +1,5 @@
 """The frequency of the stiffest wall: there damping does nothing, and at no lower one."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import TURN, waves
 from symhaptic.notation import b

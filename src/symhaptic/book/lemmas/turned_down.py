@@ -1,7 +1,5 @@
 """A stable wall without delay stays stable while its stiffness falls, beside soft springs."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.arm_numbers import pushed
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *

@@ -1,7 +1,5 @@
 """The passivity condition without delay and its summary (6), which wants b > KT/2 + |B|."""
 
-from __future__ import annotations
-
 from sympy import Abs
 
 from symhaptic.book.lemmas.chords import not_zero
@@ -12,7 +10,6 @@ from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import SIX
 from symhaptic.proof.theorems.familiar import bounded
 
-HALF = S.Half
 BORDER = K * T / 2 + Abs(B)
 APART = proposition(Ne(b, BORDER))
 OFF_BORDER = Or((proposition(Eq(B, 0)), APART))

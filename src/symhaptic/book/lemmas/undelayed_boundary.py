@@ -1,7 +1,5 @@
 """Without delay the upper part of the boundary is b = KT/2 + B, for B >= 0 and K >= 0."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.extent import sine
 from symhaptic.book.lemmas.linear_part import known
 from symhaptic.book.lemmas.lower_boundary import border_needs, of_border

@@ -1,7 +1,5 @@
 """Without delay the stable walls of an arm of (23) lie between a line and a curve."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *

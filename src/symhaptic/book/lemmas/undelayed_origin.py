@@ -3,8 +3,6 @@
 Jury's minor is S (1 - n_0 beta) (beta + delta - alpha/2) but for little.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import inequalities, of_every_plant, on_box

@@ -4,8 +4,6 @@ With x = 1 + n_1 beta > 0 and w^2 = n_0 (n_0 + e n_1 - gamma n_0 n_1) Jury's min
 n_0 x (alpha_max - alpha) - (n_1 + n_0) (n_0 x - w)^2/(n_0 n_1^2).
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *

@@ -1,7 +1,5 @@
 """The loop in units of its mass and of its period, with the five numbers of Table I."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import renamed
 from symhaptic.book.lemmas.sampled import DEVICE, positive_square

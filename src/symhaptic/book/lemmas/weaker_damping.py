@@ -4,8 +4,6 @@ Without delay and one period late two linear functions of the damping enclose th
 stiffness on all of (23), near enough for dampings that are two percent apart.
 """
 
-from __future__ import annotations
-
 import itertools
 
 from symhaptic.book.lemmas.chords import not_zero
