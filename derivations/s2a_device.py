@@ -5,11 +5,9 @@ damper $b_H$ and a spring $k_H$ to the resting posture.  Which single mass, damp
 stand for both, and what is left when nothing is assumed of the arm?
 """
 
-from sympy import Poly
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.plant import Plant
-from symhaptic.notation import F_E, b
+from symhaptic.notation import F_E
 
 
 def derive(page):

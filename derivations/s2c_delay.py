@@ -8,7 +8,6 @@ period can be treated like one that is.
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import late_answer, lumped
 from symhaptic.book.lemmas.sampled_points import FREE, completed, shown_at
-from symhaptic.model.parts import Parts
 from symhaptic.model.plant import normalised, sampled
 from symhaptic.notation import d_1, d_2, function
 from symhaptic.notation.proposition import TRUE

@@ -6,7 +6,6 @@ We check how much of that follows from a simple bound.
 """
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import p_k
 
 
 def derive(page):

@@ -19,8 +19,6 @@ from symhaptic.book.lemmas.motions import HALF_LATE, STEPS
 from symhaptic.book.lemmas.passivity import passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity, wall
-from symhaptic.notation import b
-from symhaptic.proof.theorems.familiar import bounded
 
 
 def derive(page):

@@ -8,7 +8,6 @@ something else.
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import (
     APART,
-    HALF,
     OFF_BORDER,
     damped_side,
     decides,
@@ -22,7 +21,6 @@ from symhaptic.book.lemmas.undelayed import (
     weakly_needed,
 )
 from symhaptic.model import passivity
-from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import SIX, UNDELAYED
 from symhaptic.proof.theorems.definitions import gains
 

@@ -9,7 +9,6 @@ from symhaptic.book.lemmas.largest_damping import divisors
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.rates import with_damping_and_rate
 from symhaptic.model import passivity
-from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import scaled
 
 ONE = S.One

@@ -6,8 +6,6 @@ With $\psi=\omega T/2$, $N=2(d+1)$, $u=KT/(2b)$ and $w=(B+KT/2)/b$ as before, th
 signs on $0<N\psi<\pi$ for $N>2$; each is certified.
 """
 
-from sympy import cot
-
 from symhaptic.book.lemmas.chords import bend, chord_after, chord_before, flatter, width
 from symhaptic.book.lemmas.envelope import LOWER, UPPER, rises
 from symhaptic.book.lemmas.motions import STEPS, half_late, not_on_boundary
@@ -17,7 +15,6 @@ from symhaptic.book.lemmas.tip import tip
 from symhaptic.book.lemmas.touching import touches
 from symhaptic.book.lemmas.upper_boundary import met, needed_there, upper_boundary
 from symhaptic.model import passivity
-from symhaptic.notation import b, u
 from symhaptic.notation.latex import latex
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions.passivity import BORDER

@@ -12,9 +12,7 @@ from symhaptic.book.lemmas.largest_damping import (
 )
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
-from symhaptic.notation import b
 from symhaptic.paper import STATEMENTS
-from symhaptic.proof.theorems.familiar import bounded
 
 
 def derive(page):

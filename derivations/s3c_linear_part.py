@@ -14,7 +14,6 @@ from symhaptic.book.lemmas.lower_boundary import lower_boundary, on_the_line
 from symhaptic.book.lemmas.motions import HALF_LATE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
-from symhaptic.notation import b
 from symhaptic.paper import STATEMENTS
 from symhaptic.proof.theorems.analysis import no_other_limit
 from symhaptic.proof.theorems.definitions import gains

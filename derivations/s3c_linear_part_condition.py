@@ -12,7 +12,6 @@ from symhaptic.book.lemmas.linear_part import (
 )
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import b
 from symhaptic.paper import STATEMENTS
 from symhaptic.proof.theorems.definitions import gains
 

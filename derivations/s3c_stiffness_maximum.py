@@ -10,7 +10,6 @@ from symhaptic.book.lemmas.stiffest_passive import bound, stiffest_wall
 from symhaptic.book.lemmas.stiffness_ratio import case, ratio
 from symhaptic.book.lemmas.tip_frequency import first_without_damping
 from symhaptic.model import passivity
-from symhaptic.notation import b
 from symhaptic.paper import STATEMENTS
 
 

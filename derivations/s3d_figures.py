@@ -10,7 +10,6 @@ from symhaptic.book.lemmas.motions import half_late
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional, passivity
-from symhaptic.notation import b, h
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.figures import DELAYS
 from symhaptic.proof.ball import ball

@@ -10,7 +10,6 @@ from symhaptic.book.lemmas.motions import half_late, not_passive
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import stiffest_wall, waves
 from symhaptic.model import passivity
-from symhaptic.notation import b
 from symhaptic.paper import STATEMENTS
 
 HALF = {d: S.Half, T: S.One, b: S.One}

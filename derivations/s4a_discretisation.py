@@ -5,14 +5,13 @@ over one period exactly; sampled once per period it is a transfer function in $z
 with the continuous motion at every sample.
 """
 
-from sympy import Matrix, eye, zeros
+from sympy import Matrix, zeros
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import device_claim, late_answer
 from symhaptic.book.lemmas.sampled_points import FREE, SWINGING, fails, shown_at
-from symhaptic.model.passivity import on_circle
 from symhaptic.model.plant import Plant, sampled
-from symhaptic.notation import T_s, b, c_2, c_3, function
+from symhaptic.notation import T_s, function
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.reading import read
 

@@ -4,16 +4,13 @@ Seven physical parameters describe the loop. Measured in units of the moving mas
 sampling period, two of them disappear.
 """
 
-from sympy import Function, Poly
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import definitions, renamed
 from symhaptic.book.lemmas.sampled import device_claim
 from symhaptic.book.lemmas.sampled_points import CRITICAL, SWINGING, UNHELD, fails, shown_at
 from symhaptic.model import plant, wall
-from symhaptic.model.parts import FULL, Parts
+from symhaptic.model.parts import FULL
 from symhaptic.model.plant import Plant, sampled
-from symhaptic.notation import b, c_2, c_3
 from symhaptic.paper import STATEMENTS
 
 

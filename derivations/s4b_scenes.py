@@ -6,8 +6,7 @@ is derived without the missing part, and shown to be what the larger one tends t
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import loop, plant
-from symhaptic.model.parts import ALL, Parts
-from symhaptic.notation import Omega, c
+from symhaptic.model.parts import ALL
 
 
 def derive(page):

@@ -5,8 +5,6 @@ damping counts alone. We look for bounds of $\gamma$ and $\delta$ that ask for t
 device separately.
 """
 
-from sympy import Poly
-
 from symhaptic.book.lemmas.arm import PLAIN, WHOLE, bounds, limits, numbers, p, weighted
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.plant import Plant

@@ -9,8 +9,6 @@ from symhaptic.book.figures.arguments import crossing
 from symhaptic.book.lemmas.boundary import numerator_on_circle, zero_on_circle_is_explicit
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, plant
-from symhaptic.model.parts import Parts
-from symhaptic.model.passivity import on_circle
 from symhaptic.paper.propositions.stability import explicit, on_boundary
 
 

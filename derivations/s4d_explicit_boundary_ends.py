@@ -8,9 +8,7 @@ from symhaptic.book.lemmas.cotangent import cotangent_exceeds
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, plant
-from symhaptic.model.parts import FULL, Parts
-from symhaptic.model.passivity import on_circle
-from symhaptic.notation import c, h
+from symhaptic.model.parts import FULL
 from symhaptic.proof.enclosed import value as enclosed
 
 E, N_1, N_0 = symbols("e n_1 n_0")

@@ -10,7 +10,6 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.springs_alike import line_and_curve, springs_alike
 from symhaptic.model import boundary, plant
 from symhaptic.paper.propositions.plots import CURVE, OTHER
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 
 def derive(page):

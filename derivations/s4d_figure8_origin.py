@@ -7,7 +7,6 @@ bound moves with the spring, as it should. Does the bottom?
 from symhaptic.book.figures.stability import origin as close_up
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed_origin import origin
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 
 def derive(page):

@@ -13,7 +13,6 @@ from symhaptic.book.lemmas.near_tip import none_above
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.paper.propositions.plots import THIN
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 
 def derive(page):

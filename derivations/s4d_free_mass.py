@@ -5,14 +5,9 @@ is known in closed form. We show that the first arc, $0<(d+1)\theta<\pi/2$, and 
 enclose the stable walls, all of them and nothing else.
 """
 
-from sympy import cot
-
 from symhaptic.book.figures.passivity import free_mass
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, loop, plant
-from symhaptic.model.parts import Parts
-from symhaptic.model.passivity import on_circle, real_part
-from symhaptic.notation import tau
 
 FREE = Parts(stiffness=False, damping=False)
 ANGLE = (d + 1) * theta

@@ -8,8 +8,7 @@ from sympy import chebyshevt
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, plant
-from symhaptic.model.parts import Parts
-from symhaptic.notation import rho, tau
+from symhaptic.notation import rho
 from symhaptic.proof import roots
 from symhaptic.proof.enclosed import value
 

@@ -7,8 +7,7 @@ fast, and on which side it stays.
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, plant
-from symhaptic.model.parts import Parts
-from symhaptic.notation import chi, h
+from symhaptic.notation import chi
 from symhaptic.proof.enclosed import value
 from symhaptic.proof.roots import zero
 from symhaptic.proof.theorems.analysis import grows

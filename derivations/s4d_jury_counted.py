@@ -14,7 +14,6 @@ from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities, collected
 from symhaptic.model import jury, plant
-from symhaptic.model.parts import Parts
 from symhaptic.model.plant import Sampled
 
 FREE = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))

@@ -9,7 +9,6 @@ from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.model import loop, plant
-from symhaptic.model.parts import Parts
 from symhaptic.paper.propositions.stability import damped_region_ends_on_the_line
 
 

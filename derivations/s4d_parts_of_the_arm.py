@@ -13,10 +13,8 @@ from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.book.lemmas.walls import divisors
-from symhaptic.notation import b
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import MORE
-from symhaptic.proof.theorems.familiar import bounded
 
 
 def derive(page):

@@ -8,7 +8,6 @@ them is larger, the sum turns with it.
 
 from symhaptic.book.figures.arguments import half_circle
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model.passivity import on_circle
 
 
 def derive(page):

@@ -7,7 +7,6 @@ angles decide.
 
 from symhaptic.book.lemmas.free_wall import GIVEN, stronger, stronger_everywhere, surplus
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model.passivity import on_circle
 
 
 def derive(page):

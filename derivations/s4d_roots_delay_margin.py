@@ -14,8 +14,6 @@ from symhaptic.book.lemmas.crossing import (
 )
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
-from symhaptic.model.passivity import real_part
-from symhaptic.notation import u, w
 
 
 def derive(page):

@@ -19,7 +19,6 @@ from symhaptic.book.lemmas.scaling import (
     none_as_stiff,
 )
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.notation import b
 from symhaptic.paper.propositions.stability import HEAVY, SOON, STIFFER, STRONGER
 
 DAMPED, SPRUNG = Rational(1, 50), Rational(1, 1000)

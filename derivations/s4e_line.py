@@ -8,10 +8,7 @@ We hold the line against it.
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, linear, plant
 from symhaptic.model.parts import FULL
-from symhaptic.model.passivity import on_circle
-from symhaptic.notation import c, h
 
-HALF = Rational(1, 2)
 G, MU = symbols("g mu")
 
 

@@ -4,12 +4,9 @@ The paper compares the boundary's $\alpha$ with the $\alpha_{\text{lin}}$ of the
 $\beta$, in units of $\alpha+\gamma$. We write this error down for the whole boundary.
 """
 
-from sympy import Abs
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, lag, linear, plant
-from symhaptic.model.parts import Parts
-from symhaptic.notation import alpha_lin, kappa
+from symhaptic.notation import alpha_lin
 
 Y = linear.CHORD
 GAP = linear.GAP

@@ -10,11 +10,7 @@ from symhaptic.book.lemmas.linear_corner import in_the_corner
 from symhaptic.book.lemmas.linear_start import no_bound, unbounded
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, linear, plant
-from symhaptic.model.parts import Parts
-from symhaptic.model.passivity import on_circle
-from symhaptic.notation import Omega
 from symhaptic.paper.propositions.linear_error import corner
-from symhaptic.paper.ranges import STIFF
 
 GAP = linear.GAP
 

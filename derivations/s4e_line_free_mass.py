@@ -7,7 +7,6 @@ which side of it the stable walls lie, for every delay.
 from symhaptic.book.lemmas.linear_free_mass import above_the_line, minors, of_a_free_mass
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, plant
-from symhaptic.model.parts import Parts
 from symhaptic.paper.propositions.linear import of_a_free_mass as claimed
 
 LATE = (d + 1) * theta

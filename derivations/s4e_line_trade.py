@@ -9,8 +9,6 @@ from symhaptic.book.lemmas.linear_trade import at_point, exchanged
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.model import boundary, linear
-from symhaptic.model.passivity import on_circle
-from symhaptic.notation import h
 from symhaptic.paper.propositions.linear import EXCHANGED, decides
 
 G = symbols("g")

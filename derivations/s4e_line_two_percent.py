@@ -11,7 +11,6 @@ from symhaptic.book.lemmas.linear_two_percent import on_either_side
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.bounds.linear_points import error_without_stiffness
 from symhaptic.paper.propositions.linear_error import THRESHOLD, error, threshold
-from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.proof.ball import ball
 from symhaptic.proof.enclosed import sign_change
 from symhaptic.proof.roots import BITS

@@ -15,7 +15,6 @@ from symhaptic.book.lemmas.one_plane import (
 )
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, passivity
-from symhaptic.model.passivity import on_circle, real_part
 from symhaptic.paper.propositions.plots import dashed
 
 

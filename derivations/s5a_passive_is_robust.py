@@ -7,9 +7,8 @@ every hand, whatever its stiffness.
 from symhaptic.book.lemmas.connections import passive_wall_is_stable, stays_on_circle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import passive_in_numbers
-from symhaptic.book.lemmas.walls import HALF, divisors
+from symhaptic.book.lemmas.walls import divisors
 from symhaptic.model import passivity
-from symhaptic.notation import b
 
 
 def derive(page):

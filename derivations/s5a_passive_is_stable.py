@@ -5,8 +5,12 @@ root on the unit circle it drops out of the comparison, and the device alone dec
 """
 
 from symhaptic.book.figures.arguments import sides
-from symhaptic.book.lemmas.connections import DAMPED as DAMPED_DEVICE
-from symhaptic.book.lemmas.connections import HELD, passive_wall_is_stable, stays_on_circle
+from symhaptic.book.lemmas.connections import (
+    DAMPED_DEVICE,
+    HELD,
+    passive_wall_is_stable,
+    stays_on_circle,
+)
 from symhaptic.book.lemmas.one_plane import held_passive_is_stable
 from symhaptic.book.lemmas.passive_is_stable import (
     DEVICE,
@@ -17,9 +21,7 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.undelayed import passive_in_numbers
 from symhaptic.book.lemmas.walls import margins
-from symhaptic.notation import F, b, p_k, v
 from symhaptic.paper.propositions.comparison import STABLE, passive
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 
 def derive(page):

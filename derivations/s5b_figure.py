@@ -10,9 +10,7 @@ from symhaptic.book.lemmas.near_tip import none_above
 from symhaptic.book.lemmas.outweighed import stable_behind_every_delay
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, passivity, plant
-from symhaptic.model.passivity import on_circle
 from symhaptic.paper.propositions.ratio import PEAKS
-from symhaptic.paper.ranges import DAMPED
 
 
 def derive(page):

@@ -9,7 +9,6 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.softer import stays_passive
 from symhaptic.book.lemmas.walls import damped, margins, met, unstable
 from symhaptic.model import passivity
-from symhaptic.notation import b
 from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.proof.theorems.definitions import loop_substituted
 

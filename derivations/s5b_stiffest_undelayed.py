@@ -15,7 +15,6 @@ from symhaptic.book.lemmas.undelayed_tip import (
 )
 from symhaptic.bounds.walls import over, passive, undelayed
 from symhaptic.model import boundary, jury, plant
-from symhaptic.notation import w
 
 RISE = n_1 + n_0
 

@@ -5,14 +5,10 @@ tip the zeros of the loop show that no stable wall, wherever it lies, is stiffer
 makes every tangent of the upper boundary a bound of the stable walls.
 """
 
-from sympy import Function
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.tangent import all_tangents, all_tips, tangents, tips
 from symhaptic.bounds.walls import DEVICE
 from symhaptic.model import boundary
-from symhaptic.model.passivity import on_circle
-from symhaptic.notation import tau, u, v
 
 PLANT, FORCE = DEVICE.denominator, DEVICE.numerator
 WALL = (alpha + beta) * z - beta

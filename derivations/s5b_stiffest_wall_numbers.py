@@ -12,7 +12,6 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffness_claims import LATE, of_ratio
 from symhaptic.model import passivity
 from symhaptic.paper.propositions.far_higher import RATIOS, SIZES
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 HELD = (
     r"one $\delta$ for passivity and stability; for a held device the ratio is larger by "

@@ -15,7 +15,6 @@ from symhaptic.book.lemmas.ratio_peak import (
     near_one,
     never_met,
 )
-from symhaptic.paper.ranges import STIFF
 
 
 def derive(page):

@@ -13,9 +13,7 @@ from symhaptic.book.lemmas.swing import (
     up_to_nyquist,
 )
 from symhaptic.model import plant
-from symhaptic.model.parts import Parts
 from symhaptic.model.plant import Plant
-from symhaptic.notation import b
 
 
 def derive(page):

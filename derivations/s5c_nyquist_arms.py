@@ -14,7 +14,6 @@ from symhaptic.book.lemmas.arm_ranges import (
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.swing import spring_of_nyquist
 from symhaptic.model import plant
-from symhaptic.notation import b
 
 DEVICE = {m: Rational(1, 10), T: Rational(1, 1000)}
 """Example 5.1, in kg and s."""

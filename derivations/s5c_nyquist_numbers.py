@@ -16,7 +16,6 @@ from symhaptic.book.lemmas.arm_ranges import (
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.swing import spring_of_nyquist
 from symhaptic.model.plant import Plant
-from symhaptic.notation import b
 from symhaptic.paper.propositions.comparison import EXAMPLE
 from symhaptic.proof import box
 from symhaptic.proof.theorems.leaves import on_box

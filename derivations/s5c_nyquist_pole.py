@@ -7,7 +7,6 @@ what this leaves to the wall.
 from symhaptic.book.lemmas.mirror import inside, mirrored_pole, split, triangle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import loop
-from symhaptic.model.parts import Parts
 from symhaptic.paper.propositions.comparison import kept_at_minus_one, q
 from symhaptic.proof.theorems.familiar import held_by_a_pole
 

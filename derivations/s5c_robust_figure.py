@@ -9,9 +9,6 @@ from symhaptic.book.figures.stability import springs
 from symhaptic.book.lemmas.one_plane import up_to_nyquist
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional, passivity, plant
-from symhaptic.model.parts import Parts
-from symhaptic.model.passivity import on_circle, real_part
-from symhaptic.notation import Omega
 
 
 def derive(page):

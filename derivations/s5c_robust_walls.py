@@ -18,7 +18,6 @@ from symhaptic.book.lemmas.robust import (
     tip_is_robust,
 )
 from symhaptic.paper.propositions.robust import AT_MOST, CONSERVATIVE
-from symhaptic.paper.ranges import DAMPED
 
 
 def derive(page):

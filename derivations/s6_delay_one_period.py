@@ -9,7 +9,6 @@ from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffness_claims import one_period
 from symhaptic.paper.propositions.far_higher import left_by_one_period
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 
 def derive(page):

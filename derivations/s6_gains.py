@@ -8,7 +8,6 @@ from symhaptic.book.lemmas.faster import SLOW, SOON, farthest, gained, much, not
 from symhaptic.book.lemmas.faster_passive import claim, gains_little
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import plant, wall
-from symhaptic.notation import b, h
 from symhaptic.paper.propositions.conclusion import FASTER
 
 

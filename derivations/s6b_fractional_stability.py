@@ -15,9 +15,7 @@ from symhaptic.book.lemmas.late_loop import (
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional, loop, plant
-from symhaptic.model.parts import FULL, Parts
-from symhaptic.model.passivity import on_circle, real_part
-from symhaptic.notation import c, m_0, m_1
+from symhaptic.model.parts import FULL
 
 EXAMPLE = dict.fromkeys((alpha, beta, gamma, delta, epsilon), Rational(1, 2)) | {l: S.One}
 

@@ -11,8 +11,6 @@ from symhaptic.book.lemmas.half_late_mass import half_late_mass, on_the_axis, st
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.principal import one_error, read_too_largely
 from symhaptic.model import fractional, plant
-from symhaptic.model.parts import Parts
-from symhaptic.model.passivity import on_circle, real_part
 
 
 def derive(page):

@@ -5,8 +5,6 @@ the period counts. Which inequality forbids that energy is extracted, and what b
 whole delays?
 """
 
-from sympy import cot
-
 from symhaptic.book.lemmas.late_passivity import (
     GIVEN,
     condition_at_every_angle,
@@ -14,7 +12,7 @@ from symhaptic.book.lemmas.late_passivity import (
 )
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional, passivity, wall
-from symhaptic.notation import b, function, p_k, q_k, r, u, w
+from symhaptic.notation import function, q_k
 
 N, NEED = symbols("n"), function("b_0")
 KERNEL = K * T / (2 * sin(theta / 2))

@@ -6,12 +6,17 @@ stiffer than the stiffest of these.
 """
 
 from symhaptic.book.lemmas.late_passivity import GIVEN
-from symhaptic.book.lemmas.late_stiffness import ALONG, SHARE, UP, bounded, bounded_at_every_angle
+from symhaptic.book.lemmas.late_stiffness import (
+    ALONG,
+    SHARE,
+    UP,
+    below_the_bound,
+    bounded_at_every_angle,
+)
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.forms import stiffest_passive
 from symhaptic.forms.entire import written_out
 from symhaptic.model import fractional
-from symhaptic.notation import b, kappa
 
 HALF = theta / 2
 
@@ -55,7 +60,7 @@ def derive(page):
         "$0<\\theta<\\pi$,",
         r"\varepsilon(1-\varepsilon) KT \sin\theta \leq 2b (1 - (1-\varepsilon) "
         r"\sin((\ell+1)\theta) - \varepsilon \sin((\ell+2)\theta))",
-        claim=bounded(),
+        claim=below_the_bound(),
         condition=True,
     )
     point = {K: S.Zero, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: Rational(1, 2)}

@@ -8,7 +8,6 @@ from symhaptic.book.figures.fractional import stable_readings
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.principal import both_errors, read_wrongly
 from symhaptic.model import fractional, plant
-from symhaptic.model.parts import Parts
 
 
 def derive(page):

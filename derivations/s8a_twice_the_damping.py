@@ -7,7 +7,6 @@ damping. It is used for walls with a delay, too. For which is it safe?
 from symhaptic.book.lemmas.circulation import outside, twice_the_damping
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.sources import CLAIMED, STATEMENTS
-from symhaptic.notation import b
 
 RULE = "rules:twice-damping"
 

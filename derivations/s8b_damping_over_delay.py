@@ -8,7 +8,6 @@ damping like that of the device. How much of it may be put in?
 from symhaptic.book.lemmas.circulation import damping_over_delay, outside
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.sources import CLAIMED, STATEMENTS
-from symhaptic.notation import b
 
 RULE = "rules:damping-over-delay"
 RANGE = b * d / (2 * d + 3) >= B

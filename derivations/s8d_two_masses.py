@@ -7,7 +7,6 @@ plainest device that it could be meant for, a free mass without delay.
 from symhaptic.book.lemmas.circulation import NOTHING, never_undamped, outside
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.sources import CLAIMED, STATEMENTS
-from symhaptic.notation import b
 
 RULE = "rules:two-masses"
 WALL = {K: S.One, B: S.Zero, T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero}

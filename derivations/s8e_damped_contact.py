@@ -7,7 +7,6 @@ free mass has an exact limit, which we derive beside it.
 from symhaptic.book.lemmas.circulation import damped_contact, free_mass, outside
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.sources import CLAIMED, STATEMENTS
-from symhaptic.notation import b
 from symhaptic.paper.reading import read
 
 RULE = "rules:damped-contact"

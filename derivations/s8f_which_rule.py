@@ -5,7 +5,6 @@ are for a wall that pushes, $K>0$, and every one in the table is safe as it stan
 """
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import b
 
 
 def derive(page):

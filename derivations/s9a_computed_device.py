@@ -28,7 +28,6 @@ from symhaptic.forms.entire_device import (
 )
 from symhaptic.model import plant
 from symhaptic.model.parts import FULL
-from symhaptic.notation import c
 
 OWN = (
     (PlantN1, "A function is the way under a force that is held for a period"),

@@ -8,8 +8,6 @@ from symhaptic.book.lemmas.computed import settle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_boundary import BOUNDARY, LATE_BOUNDARY
 from symhaptic.forms.entire import CosNext, SinNext
-from symhaptic.model.passivity import on_circle
-from symhaptic.notation import m_0, m_1
 
 UNDEFINED = "wherever nothing in either is divided by zero"
 

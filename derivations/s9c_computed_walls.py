@@ -9,7 +9,6 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_walls import LATE_STIFFEST, LINEAR, STIFFEST, TOUCHED, WORST
 from symhaptic.forms.entire import Chord, Sinc, SinNext, Spread
 from symhaptic.model import passivity
-from symhaptic.notation import b
 
 UNITS = {K: alpha, B: beta, T: S.One, b: delta}
 UNDEFINED = "wherever nothing in either is divided by zero"

@@ -4,7 +4,6 @@ from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.largest_damping import divisors
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import ANSWER, TAPS
 from symhaptic.proof.theorems.energy import toeplitz
 

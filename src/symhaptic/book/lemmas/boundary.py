@@ -2,7 +2,6 @@
 
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model.passivity import mirror
 from symhaptic.paper.propositions.stability import (
     SQUARE,
     at_angle,

@@ -7,7 +7,6 @@ from symhaptic.book.lemmas.passive_is_stable import MARGIN, passive_is_stable
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.scaling import moved
-from symhaptic.notation import b
 from symhaptic.proof.theorems.definitions import loop
 from symhaptic.rules.claims import EXACT, STABLE, UNITS
 

@@ -5,7 +5,6 @@ from symhaptic.book.lemmas.largest_damping import divisors
 from symhaptic.book.lemmas.passivity import PASSIVE, every_margin, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import passive_in_numbers
-from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import FIVE, at_every_frequency
 from symhaptic.proof.theorems.definitions import gains
 

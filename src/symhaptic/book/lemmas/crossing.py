@@ -1,7 +1,6 @@
 """At which angle can zeros leave the circle while the delay grows?  Plant and wall as two parts."""
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model.passivity import mirror
 
 TURN = exp(I * theta)
 PLANT = exp(I * (d + 1) * theta) * (TURN**2 - a * TURN + e)

@@ -16,7 +16,6 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
     towards,
 )
-from symhaptic.notation import u
 from symhaptic.proof.theorems.samples import after_a_blow
 
 FREE = {gamma: S.Zero}

@@ -7,7 +7,6 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import stiffest_wall
 from symhaptic.book.lemmas.undelayed_boundary import its_damping, on_it
 from symhaptic.book.lemmas.upper_boundary import loss, upper_boundary
-from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import BORDER
 
 

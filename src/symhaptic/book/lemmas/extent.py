@@ -6,8 +6,6 @@ w cos N psi, for psi = theta/2 and N = 2(d+1) >= 2; all numbers are real.
 
 from symhaptic.book.lemmas.chords import lowest_coefficients
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import b, u, w
-from symhaptic.proof.theorems.familiar import bounded
 
 HERE = Given(N >= 2)
 QUARTER = Given(psi > 0, psi < pi / 2)

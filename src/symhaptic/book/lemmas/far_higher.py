@@ -8,7 +8,6 @@ from symhaptic.book.lemmas.region import limits, pushes
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import beside
-from symhaptic.notation import b
 from symhaptic.paper.propositions import far_higher
 from symhaptic.paper.propositions.far_higher import (
     LEFT,
@@ -19,7 +18,6 @@ from symhaptic.paper.propositions.far_higher import (
     stiffer_than_passive,
 )
 from symhaptic.paper.propositions.ratio import BEST, RATE, WALL, outdoes, passive, stable
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 
 @cache

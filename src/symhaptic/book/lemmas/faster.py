@@ -9,7 +9,6 @@ from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, passive_walls
 from symhaptic.paper.propositions.conclusion import FASTER, LITTLE
 from symhaptic.paper.propositions.ratio import BEST, WALL
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 LATE, TIMES = 10, 10
 """So many periods of delay, and at most so many times as fast."""

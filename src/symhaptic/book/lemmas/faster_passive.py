@@ -6,7 +6,6 @@ By (11) that stiffness is 2 b/T tan(pi/(4 (d+1))), and the tangent over its angl
 from symhaptic.book.lemmas.passive_tip import passive_wall
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import TURN, bound, waves
-from symhaptic.notation import b
 from symhaptic.paper.propositions.conclusion import FASTER
 from symhaptic.paper.propositions.passivity import PASSIVE
 from symhaptic.proof.theorems.analysis import grows

@@ -22,7 +22,6 @@ from symhaptic.paper.propositions.ratio import (
     grows,
 )
 from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
-from symhaptic.paper.ranges import DAMPED
 
 
 def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:

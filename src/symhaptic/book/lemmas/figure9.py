@@ -9,7 +9,6 @@ from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant, on_box
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import BESIDE, THIN
-from symhaptic.paper.ranges import STIFF
 
 NEAR = {1: Rational(3, 10), 2: Rational(1, 4)}
 """The virtual damping of a stable wall next to the left bound."""

@@ -7,7 +7,7 @@ the border of the region 0 < Re v, 1 <= |v|.
 
 from symhaptic.book.lemmas.half_late_circle import (
     LOOP,
-    STIFF,
+    PUSH,
     TRUE,
     WALL,
     counted,
@@ -38,7 +38,7 @@ def on_the_axis() -> Theorem:
     size, sign = exp(psi), exp(I * pi * l)
     above = [sign_of(exp, psi), assume(q > 0)]
     longer = closed(rising(exp, S.Zero, 2 * psi), positive(2 * psi > 0, [2, psi > 0]))
-    imaginary = q * size * (size**2 - 1) * (STIFF * size**2 + beta)
+    imaginary = q * size * (size**2 - 1) * (PUSH * size**2 + beta)
     pushed = [*above, longer, stiff, sign_of(exp, 2 * psi)], [*above, longer, brake]
     turns = full_turns(S.Zero, assume(whole(l)))
     sine, cosine = (conjunct(turns, claim) for claim in turns.conclusion.parts)
@@ -58,7 +58,7 @@ def on_the_axis() -> Theorem:
 def stable_as_read() -> Theorem:
     """That."""
     static = positive(Ne(alpha, 0), pushes()[0])
-    change = -((v - 1) ** 4) * (STIFF * v**2 - beta) / 8
+    change = -((v - 1) ** 4) * (PUSH * v**2 - beta) / 8
     shown = no_crossing(), static, on_the_axis()
     never = none_enters(zeros(), change, (v, q, psi, x, y), *shown)
     sheet = read_loop(FREE, WALL, l)

@@ -5,8 +5,6 @@ from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import DELAY, TURN, WHOLE_WALL, first_half
 from symhaptic.model import passivity
-from symhaptic.notation import b
-from symhaptic.proof.theorems.familiar import bounded
 
 
 def divisors(angle: Any) -> tuple[Theorem, ...]:

@@ -13,7 +13,6 @@ from symhaptic.book.lemmas.late_loop import (
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import m_0, m_1
 
 TURN = exp(I * theta)
 A, M = (p.subs(z, TURN) for p in (BOTTOM, TOP))

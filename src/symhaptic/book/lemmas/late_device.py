@@ -8,9 +8,8 @@ from dataclasses import dataclass
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import definitions, explicit, renamed
-from symhaptic.model.parts import FULL, Parts
+from symhaptic.model.parts import FULL
 from symhaptic.model.plant import Plant, normalised
-from symhaptic.notation import m_0, m_1
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.samples import held_answer
 

@@ -13,8 +13,6 @@ from symhaptic.book.lemmas.passive_is_stable import (
 from symhaptic.book.lemmas.passivity import every_margin, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.fractional import required_straight, stiffness_squared
-from symhaptic.model.passivity import mirror
-from symhaptic.notation import b
 from symhaptic.proof.theorems.axioms import LATE_NUMBERS
 
 UNITS = {K: alpha, B: beta, b: delta, T: S.One}

@@ -3,7 +3,6 @@
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional
-from symhaptic.notation import b
 from symhaptic.proof.theorems.energy import toeplitz
 
 WALL = (K, B, b, T, l, epsilon)

@@ -3,7 +3,6 @@
 from symhaptic.book.lemmas.late_passivity import EVERY_MARGIN, GIVEN, LATE, WALL, passive_late
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import b
 
 SHARE = epsilon * (1 - epsilon)
 UP = (1 - epsilon) * sin((l + 1) * theta) + epsilon * sin((l + 2) * theta)
@@ -12,7 +11,7 @@ BOUND = proposition(SHARE * K * T * sin(theta) <= 2 * b * (1 - UP))
 """What an angle allows."""
 
 
-def bounded() -> Proposition:
+def below_the_bound() -> Proposition:
     """No passive wall is stiffer, at any angle."""
     return every(WALL, GIVEN, implied([LATE], at_every_angle(BOUND)))
 

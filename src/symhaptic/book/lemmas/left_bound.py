@@ -11,7 +11,6 @@ from symhaptic.book.lemmas.undelayed_curve import WEIGHT, between, plants
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import CURVE
 from symhaptic.paper.propositions.stability import OTHER, PIECE
-from symhaptic.proof.theorems.familiar import bounded
 
 LINE = proposition(Eq(alpha, -gamma))
 NONE, ONE = (Relation(d, "=", n) for n in (S.Zero, S.One))

@@ -1,11 +1,10 @@
 """(18) to the letter, with all sheets of z^d: what of an even denominator no wall can meet."""
 
-from symhaptic.book.lemmas.chords import HALF, PI
+from symhaptic.book.lemmas.chords import PI
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.walls import met
 from symhaptic.paper.propositions.comparison import passive
-from symhaptic.proof.theorems.familiar import bounded
 from symhaptic.proof.theorems.roots import opposite
 
 p, q = Symbol("p"), Symbol("q")

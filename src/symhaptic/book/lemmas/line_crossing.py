@@ -16,7 +16,6 @@ from symhaptic.model.circle import expanded, powers
 from symhaptic.model.linear import on_the_line
 from symhaptic.paper.propositions.device import transcribed
 from symhaptic.paper.propositions.linear import safe
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 TOP = {0: Rational(72, 100), 1: Rational(16, 100)}
 """No wall that is stable is as stiff."""

@@ -18,7 +18,6 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
 )
 from symhaptic.paper.propositions.linear_error import on_boundary_at as here
-from symhaptic.paper.ranges import STIFF
 from symhaptic.proof.theorems.kernel import spec
 
 LOW, HIGH = -Rational(3, 100), Rational(1, 10)

@@ -13,7 +13,6 @@ from symhaptic.book.lemmas.linear_rays import (
     A_1,
     A,
     at_start,
-    b,
     b_1,
     box,
     coordinates,
@@ -30,7 +29,6 @@ from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import LATER, LEVEL, beside, error, on_boundary_at
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 
 @cache

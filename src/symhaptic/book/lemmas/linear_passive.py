@@ -4,7 +4,6 @@ from symhaptic.book.lemmas.linear_part import passive_below
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import DELAY
 from symhaptic.model import lag
-from symhaptic.notation import b
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.linear import on_or_below_the_line
 

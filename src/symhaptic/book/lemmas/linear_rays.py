@@ -5,18 +5,10 @@ gamma.  On a ray Jury's largest minor is not negative at the start and bent down
 """
 
 from symhaptic.book.lemmas.line_crossing import AT_REST, ROOM, divided, room
-from symhaptic.book.lemmas.linear_boundary import (
-    HALF,
-    LOW,
-    TOP,
-    level,
-    minor,
-    turn,
-)
+from symhaptic.book.lemmas.linear_boundary import LOW, TOP, level, minor, turn
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import on_box
 from symhaptic.model.circle import expanded, powers, quotient
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 A, b, A_1, b_1, y = symbols("A b A_1 b_1 y")
 """Two walls in these coordinates, and a share of the way along a ray."""

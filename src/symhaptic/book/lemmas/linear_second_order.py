@@ -12,7 +12,6 @@ from symhaptic.book.lemmas.linear_gap import MOST, narrow
 from symhaptic.book.lemmas.linear_rays import (
     A,
     at_start,
-    b,
     b_1,
     coordinates,
     minor_at,
@@ -26,10 +25,8 @@ from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded, powers
-from symhaptic.notation import u
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import CONSTANT, SMALL, on_boundary_at, second_order
-from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.proof.theorems.analysis import grows
 from symhaptic.proof.theorems.samples import after_a_blow
 

@@ -3,7 +3,6 @@
 from symhaptic.book.lemmas.linear_far import quotient
 from symhaptic.book.lemmas.linear_second_order import near_the_line
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import b
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import (
     CONSTANT,
@@ -13,7 +12,6 @@ from symhaptic.paper.propositions.linear_error import (
     left_of_line,
     on_boundary_at,
 )
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 
 @cache

@@ -12,7 +12,6 @@ from symhaptic.book.lemmas.linear_gap import narrow
 from symhaptic.book.lemmas.linear_rays import (
     A,
     at_start,
-    b,
     b_1,
     coordinates,
     minor_at,
@@ -33,7 +32,6 @@ from symhaptic.paper.propositions.linear_error import (
     on_boundary_at,
     size,
 )
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 MOST_B = HIGH + DAMPED + 2 * STIFF
 

@@ -15,7 +15,6 @@ from symhaptic.book.lemmas.linear_start import (
 )
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import u
 from symhaptic.proof.theorems.analysis import no_other_limit
 from symhaptic.proof.theorems.samples import after_a_blow
 

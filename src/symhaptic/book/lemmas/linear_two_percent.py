@@ -14,7 +14,6 @@ from symhaptic.book.lemmas.linear_rays import (
     A_1,
     A,
     at_start,
-    b,
     b_1,
     bent_downwards,
     box,
@@ -36,7 +35,6 @@ from symhaptic.paper.propositions.linear_error import (
     on_boundary_at,
     size,
 )
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 STEEP = 1 - LEVEL
 """How steep the ray of an error of -2 per cent is, beside the line."""

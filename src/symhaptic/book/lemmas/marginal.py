@@ -12,7 +12,6 @@ from symhaptic.book.lemmas.undamped_robust import excluded
 from symhaptic.paper.propositions import conclusion
 from symhaptic.paper.propositions.conclusion import CHANGES, FACTOR
 from symhaptic.paper.propositions.ratio import WALL
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 LIMIT = Rational("0.6899") + Rational("1.2") * delta
 """A little stiffer than every stable wall without delay, for all springs of (23)."""

@@ -2,7 +2,6 @@
 
 from symhaptic.book.lemmas.passivity import WALL
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import v
 from symhaptic.proof.theorems.energy import stored
 
 

@@ -3,7 +3,6 @@
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.model import plant
-from symhaptic.model.parts import Parts
 from symhaptic.paper.propositions.comparison import (
     LATE,
     MIRROR,

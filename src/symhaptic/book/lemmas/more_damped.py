@@ -34,7 +34,6 @@ from symhaptic.paper.propositions.stability import (
     damping_can_destabilise,
     reached,
 )
-from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.proof import box
 from symhaptic.proof.plants import BALLS, SLOPES, named
 from symhaptic.proof.plants import NUMBERS as SAMPLED

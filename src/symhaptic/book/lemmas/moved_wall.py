@@ -26,13 +26,9 @@ from symhaptic.book.lemmas.spring_box import (
     bounds,
     eta,
     g,
-    h,
-    m_0,
-    m_1,
     numbers_near,
     on_walls,
     primed,
-    u,
     y_0,
     y_1,
 )
@@ -42,7 +38,6 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
 )
 from symhaptic.paper.propositions.plots import OTHER, THICK
-from symhaptic.paper.ranges import STIFF
 
 
 class Moved:

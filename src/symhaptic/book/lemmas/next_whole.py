@@ -6,13 +6,11 @@ r sin chi, and the margin over b^2 is 1 - r ((1 - epsilon) sin (chi - 2 psi) + e
 - epsilon (1 - epsilon) r^2 sin^2 psi.
 """
 
-from symhaptic.book.lemmas.chords import HALF
 from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.late_damping import END, HERE, LOW, PAIR, all_between, begins, ends
 from symhaptic.book.lemmas.late_passivity import GIVEN, MARGIN, passive_late
 from symhaptic.book.lemmas.passivity import INSIDE, every_margin, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import b, kappa, r
 from symhaptic.proof.theorems.familiar import polar
 
 CHI = N * psi - kappa

@@ -7,7 +7,6 @@ z^2 + (f + nu (alpha + beta)) z - nu beta, where nu = (1 + f)/gamma.
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.springs_alike import line_and_curve
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer
-from symhaptic.model.passivity import mirror
 from symhaptic.paper.propositions.plots import (
     ARMS,
     BESIDE,
@@ -18,7 +17,6 @@ from symhaptic.paper.propositions.plots import (
     triangle,
     undelayed,
 )
-from symhaptic.paper.ranges import DAMPED
 from symhaptic.proof import box
 from symhaptic.proof.theorems.definitions import loop_substituted
 from symhaptic.proof.theorems.leaves import on_box as on_plain_box

@@ -10,7 +10,6 @@ from symhaptic.book.lemmas.stiffest_passive import bound
 from symhaptic.book.lemmas.stiffest_stable import numbers_known, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import LATE, UNDELAYED, beside, linear
 from symhaptic.book.lemmas.walls import damped, divisors, margins
-from symhaptic.notation import b
 from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.paper.propositions.one_delta import (
     ARM,
@@ -33,7 +32,6 @@ from symhaptic.paper.propositions.one_delta import (
     still_true,
 )
 from symhaptic.paper.propositions.ratio import BEST
-from symhaptic.paper.ranges import DAMPED
 
 HELD = Given(T > 0, m_D > 0, m_H >= 0, b_D >= 0, b_H >= 0, k_H >= 0)
 for claim in MASS > 0, T / MASS > 0, MASS / T > 0, T**2 / MASS > 0, SPRING >= 0, WHOLE - OWN >= 0:

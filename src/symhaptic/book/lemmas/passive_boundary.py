@@ -12,8 +12,6 @@ from symhaptic.book.lemmas.region import (
     on_first_half,
     sufficient,
 )
-from symhaptic.notation import b
-from symhaptic.proof.theorems.familiar import bounded
 
 TWICE = {N: 2 * d + 2, phi: omega * T / 2}
 ANGLE = omega * T / 2

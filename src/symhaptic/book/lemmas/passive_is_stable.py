@@ -2,8 +2,7 @@
 
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model.passivity import margin, mirror
-from symhaptic.notation import b
+from symhaptic.model.passivity import margin
 from symhaptic.proof.theorems.familiar import linear
 
 NUMBERS = (n_1, n_0, a, e)

@@ -2,7 +2,6 @@
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import margin
-from symhaptic.notation import b
 from symhaptic.proof.theorems.energy import toeplitz
 from symhaptic.proof.theorems.familiar import whole_delay
 

@@ -13,11 +13,9 @@ from symhaptic.book.lemmas.region import limits, pushes
 from symhaptic.book.lemmas.stiffest_passive import bound, stiffest_wall
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, passive_walls
-from symhaptic.notation import b
 from symhaptic.paper.propositions import ratio
 from symhaptic.paper.propositions.passivity import PASSIVE
 from symhaptic.paper.propositions.ratio import BEST, END, RATE, WALL, stable
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 PEAK, SHARE = 40, Rational(9998, 10**4)
 """The delay at which eta is largest, and a number between that and all others."""

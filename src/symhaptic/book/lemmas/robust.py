@@ -24,7 +24,6 @@ from symhaptic.paper.propositions import robust as claims
 from symhaptic.paper.propositions.plots import NYQUIST
 from symhaptic.paper.propositions.ratio import BEST, outdoes, passive
 from symhaptic.paper.propositions.robust import robust
-from symhaptic.paper.ranges import DAMPED
 
 STIFFEST = Rational(98702, 10**4)
 """A little more than the spring of the Nyquist frequency for delta = 0.02."""

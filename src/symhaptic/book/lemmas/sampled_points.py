@@ -2,7 +2,6 @@
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import DEVICE, motion
-from symhaptic.notation import b
 from symhaptic.proof.theorems.familiar import amplified
 from symhaptic.proof.theorems.samples import held_answer
 

@@ -9,7 +9,6 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
 )
 from symhaptic.model.circle import powers
-from symhaptic.notation import b
 from symhaptic.paper.propositions.stability import (
     HEAVY,
     MORE,

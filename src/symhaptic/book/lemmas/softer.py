@@ -4,7 +4,6 @@ from symhaptic.book.lemmas.chords import PI
 from symhaptic.book.lemmas.passive_is_stable import EVERY_MARGIN, MARGIN, margin_to_the_end
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.proof.theorems.familiar import bounded
 
 
 @cache

@@ -11,7 +11,6 @@ from symhaptic.book.lemmas.spring_box import HIGH, LOW, PRIMED, THIN, WIDE, L, b
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known
 from symhaptic.paper.propositions.areas import ENDS, moved_by_the_spring
-from symhaptic.paper.ranges import STIFF
 from symhaptic.proof import box
 from symhaptic.proof.theorems.leaves import on_box as on_plain_box
 

@@ -15,7 +15,6 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
 )
 from symhaptic.paper.propositions.plots import OTHER, THICK
-from symhaptic.paper.ranges import STIFF
 from symhaptic.proof import box
 from symhaptic.proof.theorems.leaves import on_box as on_plain_box
 

@@ -19,7 +19,6 @@ from symhaptic.paper.propositions.plots import (
     near,
     undelayed,
 )
-from symhaptic.paper.ranges import STIFF
 
 
 def both_orders(made: Any) -> Theorem:

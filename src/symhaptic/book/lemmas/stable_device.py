@@ -10,7 +10,6 @@ from symhaptic.forms.response import closed
 from symhaptic.model import loop
 from symhaptic.model.parts import FULL
 from symhaptic.model.plant import Sampled
-from symhaptic.notation import c, m_0, m_1
 
 DELAY = 2
 """Forms that are made for one whole delay are shown for this one."""

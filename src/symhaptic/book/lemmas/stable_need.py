@@ -4,7 +4,6 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Block, Later, Named, not_zero
 from symhaptic.forms import required_damping, stable
 from symhaptic.forms.entire import Chord, Sinc, written_out
-from symhaptic.notation import v, w
 
 ANGLE = tuple(map(proposition, (theta > 0, theta < pi)))
 HALF_ANGLE = tuple(map(proposition, (psi > 0, psi < pi / 2)))

@@ -10,7 +10,6 @@ from symhaptic.book.lemmas.region import (
     on_first_half,
     sufficient,
 )
-from symhaptic.notation import b
 
 TURN = pi / (4 * (d + 1))
 """Half the angle at which damping does nothing, theta = pi/(2 (d+1))."""

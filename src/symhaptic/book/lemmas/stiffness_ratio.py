@@ -3,7 +3,6 @@
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import largest_of
-from symhaptic.notation import b, w
 
 
 def both_sides(stiffness: Expr, delay: int, printed: Any, known: Any) -> tuple[Theorem, ...]:

@@ -2,7 +2,6 @@
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import TURN, waves
-from symhaptic.notation import b
 
 
 def first_without_damping(equation: Any, claim: Any) -> Theorem:

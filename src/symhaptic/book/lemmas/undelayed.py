@@ -1,14 +1,10 @@
 """The passivity condition without delay and its summary (6), which wants b > KT/2 + |B|."""
 
-from sympy import Abs
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
-from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import SIX
-from symhaptic.proof.theorems.familiar import bounded
 
 BORDER = K * T / 2 + Abs(B)
 APART = proposition(Ne(b, BORDER))

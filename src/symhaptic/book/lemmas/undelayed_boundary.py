@@ -6,7 +6,6 @@ from symhaptic.book.lemmas.lower_boundary import border_needs, of_border
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import bordering, first_half, limits, pushes, sufficient
-from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import UPPER
 
 NONE, STIFF, DAMPED, FULL = UPPER.parts

@@ -13,7 +13,6 @@ from symhaptic.book.lemmas.stiffest_stable import (
     towards,
 )
 from symhaptic.paper.propositions.plots import CURVE, undelayed
-from symhaptic.paper.ranges import STIFF
 
 BETWEEN = both([alpha > -gamma, alpha < CURVE])
 WALLS = both([beta > -1, *BETWEEN.parts])

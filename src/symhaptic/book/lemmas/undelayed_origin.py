@@ -15,7 +15,6 @@ from symhaptic.book.lemmas.undelayed_curve import (
     plants,
 )
 from symhaptic.paper.propositions.plots import CURVE, FINE, FRAME
-from symhaptic.paper.ranges import STIFF
 
 ABOVE = beta - alpha / 2 + delta
 SEEN = {**RANGES, alpha: (-STIFF, FRAME[0]), beta: (-FRAME[1], FRAME[1])}

@@ -9,7 +9,6 @@ from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import damping_between, inequalities, on_box, towards
-from symhaptic.notation import w
 from symhaptic.paper.propositions.comparison import STABLE
 
 WIDE = {gamma: (S.Zero, Rational(1, 100)), delta: (S.Zero, Rational(1, 10))}

@@ -3,7 +3,6 @@
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import renamed
 from symhaptic.book.lemmas.sampled import DEVICE, positive_square
-from symhaptic.notation import b
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.familiar import in_units
 from symhaptic.proof.theorems.samples import one_answer, turns

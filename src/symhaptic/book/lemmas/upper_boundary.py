@@ -19,7 +19,6 @@ from symhaptic.book.lemmas.region import (
     sufficient,
 )
 from symhaptic.book.lemmas.touching import touches
-from symhaptic.notation import b, u, w
 from symhaptic.paper.propositions.passivity import ABOVE
 from symhaptic.proof.theorems.analysis import crosses_zero
 

@@ -25,7 +25,6 @@ from symhaptic.book.lemmas.stiffness_claims import (
 from symhaptic.paper.propositions import ratio
 from symhaptic.paper.propositions.ratio import BEST, RATE, SPRINGS, WALL, stable
 from symhaptic.paper.propositions.stability import HEAVIER
-from symhaptic.paper.ranges import DAMPED
 
 APART = Rational(102, 100)
 """One damping is at least so many times the other."""
