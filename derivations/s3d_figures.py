@@ -5,19 +5,20 @@ looks like is told in \chapter{s3b_rise}. For which delays are these the passive
 """
 
 from symhaptic.book.figures.passivity import passive_regions
-from symhaptic.book.lemmas.linear_part import on_line
-from symhaptic.book.lemmas.lower_boundary import nothing_else
+from symhaptic.book.lemmas.extent import sine
+from symhaptic.book.lemmas.linear_part import known, on_line
+from symhaptic.book.lemmas.lower_boundary import border_needs, nothing_else, of_border
 from symhaptic.book.lemmas.motions import half_late
 from symhaptic.book.lemmas.passive_boundary import on_boundary
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.lemmas.region import bordering, first_half, limits, pushes, sufficient
 from symhaptic.book.lemmas.stiffest_passive import stiffest_wall
-from symhaptic.book.lemmas.undelayed_boundary import its_damping, on_it
 from symhaptic.book.lemmas.upper_boundary import loss, upper_boundary
 from symhaptic.model import fractional, passivity
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.figures import DELAYS
-from symhaptic.paper.propositions.passivity import BORDER
+from symhaptic.paper.propositions.passivity import BORDER, UPPER
 from symhaptic.proof.ball import ball
 from symhaptic.proof.roots import decimals
 from symhaptic.proof.series import limit
@@ -167,3 +168,42 @@ def _no_others(implication: Any) -> Theorem:
     found = disj_cases(ordered(d * b / (2 * d + 3), B), high, low)
     found = closed(Given(d >= 0).closed(found), conjunct(assume(border), BORDER))
     return disch(found, border)
+
+
+# Without delay the upper part of the boundary is b = KT/2 + B, for B >= 0 and K >= 0.
+
+NONE, STIFF, DAMPED, FULL = UPPER.parts
+LEAST = K * T / 2 + B
+"""The damping that these walls need."""
+
+
+@cache
+def enough() -> Theorem:
+    """Without delay a wall with K >= 0 and B >= 0 is passive beside the damping KT/2 + B."""
+    there = {b: LEAST, d: S.Zero}
+    always = first_half().at(there)
+    given, goal = always.body.of
+    margin = combined(goal, [assume(DAMPED), inst(known()[2], {d: S.Zero})])
+    margin = for_all([phi], given.of, Given(phi * 2 < pi, phi > 0).closed(margin, sine(phi)))
+    found = Given(K >= 0, T > 0).closed(closed(inst(sufficient(), there), margin))
+    pattern = PASSIVE.at({b: LEAST, d: x})
+    return subst(pattern, x, found, show(Eq(S.Zero, d), NONE))
+
+
+@cache
+def on_it() -> Theorem:
+    """Such a wall with b = KT/2 + B is on the boundary."""
+    full = assume(FULL)
+    passive = subst(PASSIVE.at({b: x}), x, enough(), show(Eq(LEAST, b), full))
+    least = show(b <= x, inst(limits()[0], {b: x}), full)
+    return bordering(passive, least)
+
+
+@cache
+def its_damping() -> Theorem:
+    """A wall of the boundary with B >= 0 is one of them."""
+    stiff = of_border(pushes())
+    force = show(LEAST >= 0, stiff, T > 0, DAMPED)
+    need = border_needs(LEAST, closed(enough(), stiff), force)
+    full = both_ways(need, show(b >= LEAST, of_border(limits()[0])))
+    return conj(assume(NONE), stiff, assume(DAMPED), full)
