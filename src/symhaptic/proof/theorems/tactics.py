@@ -82,12 +82,15 @@ def every(symbols: Sequence[Symbol], given: Sequence[Any], then: Any) -> Proposi
 
 
 def positive(claim: Any, *products: Any) -> Theorem:
-    """A relation from products, each a theorem, an assumed relation or a sequence of these."""
+    """A relation from products, each a theorem, an assumed relation or a sequence of these.
+
+    A factor that is an expression is the multiplier of an equation.
+    """
 
     def known(part: Any) -> Any:
         if isinstance(part, (list, tuple)):
             return [known(p) for p in part]
-        if isinstance(part, (Theorem, int, sp.Rational)):
+        if isinstance(part, (Theorem, int, sp.Expr)):
             return part
         return assume(part)
 
