@@ -196,6 +196,7 @@ from symhaptic.proof.theorems.roots import (
 )
 from symhaptic.proof.theorems.tactics import (
     at,
+    by_contradiction,
     chained,
     closed,
     counterexample,

@@ -22,7 +22,7 @@ from symhaptic.notation.proposition import (
     negated,
     proposition,
 )
-from symhaptic.proof.theorems.familiar import divided, sign_of
+from symhaptic.proof.theorems.familiar import decided, divided, ordered, sign_of
 from symhaptic.proof.theorems.judge import Case, taken_apart
 from symhaptic.proof.theorems.kernel import (
     NotShown,
@@ -216,3 +216,17 @@ def zero_beyond(polynomial: Any, variable: Symbol, value: Theorem) -> Theorem:
     (claim,) = start.conclusion.parts
     above = combined(Relation(sp.S.Zero, "<", at_one), [conjunct(start, claim)])
     return not_intro(above, value, zeros)
+
+
+def by_contradiction(wanted: Any, one: Theorem, other: Theorem) -> Theorem:
+    """A relation, from two theorems of which one denies the other where the relation fails."""
+    claim = proposition(wanted)
+    assert isinstance(claim, Relation)
+    left, right, holds = claim.left, claim.right, assume(claim)
+    fails = contr(not_intro(one, other), claim)
+    if claim.sign in ("=", "!="):
+        cases = (holds, fails) if claim.sign == "=" else (fails, holds)
+        return disj_cases(decided(left, right), *cases)
+    if claim.sign == "<":
+        return disj_cases(ordered(left, right), holds, fails)
+    return disj_cases(ordered(right, left), fails, holds)
