@@ -21,6 +21,7 @@ from symhaptic.book.lemmas.linear_rays import (
     zero,
     zero_of,
 )
+from symhaptic.book.lemmas.linear_two_percent import at_most
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded
@@ -81,14 +82,9 @@ def _rate(delay: int, steep: Expr) -> Expr:
     return expanded((on_ray - on_ray.xreplace({A: S.Zero})) / A)
 
 
-def _inside(delay: int, steep: Expr) -> tuple[Theorem, ...]:
+def _inside(delay: int) -> Given:
     """The wall of the ray lies in the box."""
-    top = box(delay)[A][1]
-    return (
-        positive(A >= 0, A > 0),
-        positive(steep * A >= LOW, [steep, A > 0], [-LOW]),
-        positive(steep * A <= MOST_B, [steep, top >= A], [MOST_B - steep * top]),
-    )
+    return Given(A > 0, box(delay)[A][1] >= A)
 
 
 @cache
@@ -96,15 +92,13 @@ def below(delay: int) -> Theorem:
     """b <= 1.05 (d + 1/2) A of a wall with a minor of zero."""
     steep = (1 + HALF_WAY) * share(delay)
     rate = _rate(delay, steep)
-    wanted, contrary = b <= steep * A, assume(steep * A < b)
     gain = positive(
-        Relation(S.Zero, "<", minor_at(delay)),
-        [contrary, _lift(delay, steep * A, b)],
+        minor_at(delay) > 0,
+        [steep * A < b, _lift(delay, steep * A, b)],
         [at_start(delay)],
         [A > 0, on_box(rate, box(delay))],
     )
-    none = not_intro(closed(gain, *_inside(delay, steep)), zero_of(minor_at(delay)))
-    return disj_cases(ordered(steep * A, b), contr(none, wanted), assume(wanted))
+    return by_contradiction(b <= steep * A, _inside(delay).closed(gain), zero_of(minor_at(delay)))
 
 
 @cache
@@ -113,19 +107,16 @@ def above(delay: int) -> Theorem:
     steep = (1 - HALF_WAY) * share(delay)
     rate = _rate(delay, steep)
     part_ = start_by_gap(delay)
-    wanted, contrary = steep * A <= b, assume(b < steep * A)
-    stiffer = positive(A - gamma >= 0, gamma <= A)
     falls = on_box(expanded(-rate - part_ * gamma * delta / 32), box(delay))
     heavy = on_box(part_, RANGES)
-    loss = combined(
-        Relation(minor_at(delay), "<", S.Zero),
-        [contrary, _lift(delay, b, steep * A)],
-        [assume(A > 0), falls],
+    loss = positive(
+        minor_at(delay) < 0,
+        [b < steep * A, _lift(delay, b, steep * A)],
+        [A > 0, falls],
         [heavy, narrow()],
-        [Rational(1, 32), heavy, stiffer, assume(gamma >= 0), assume(delta >= 0)],
+        [Rational(1, 32), heavy, gamma <= A, gamma >= 0, delta >= 0],
     )
-    none = not_intro(closed(loss, *_inside(delay, steep)), zero_of(minor_at(delay)))
-    return disj_cases(ordered(b, steep * A), contr(none, wanted), assume(wanted))
+    return by_contradiction(steep * A <= b, _inside(delay).closed(loss), zero_of(minor_at(delay)))
 
 
 @cache
@@ -135,20 +126,11 @@ def small_error(delay: int) -> Theorem:
     inside = on_it(delay)
     _, low = (conjunct(inside, claim) for claim in conjuncts(inside.conclusion))
     left = conjunct(assume(on_boundary_at(delay)), -gamma < alpha)
-    top, weight = box(delay)[A][1], share(delay)
-    width, rest = positive(place[A] > 0, [left]), (2 - weight) * STIFF
-    ends = (
-        zero(delay),
-        width,
-        positive(place[A] >= 0, [left]),
-        positive(place[A] <= top, alpha <= RANGE[delay], gamma <= STIFF),
-        positive(place[A] >= gamma, alpha >= 0),
-        positive(place[b] >= LOW, [low], delta >= 0, [weight, gamma >= 0]),
-        positive(
-            place[b] <= MOST_B, beta <= HIGH, delta <= DAMPED, [weight, gamma <= STIFF], [rest]
-        ),
-    )
-    more, less = (closed(inst(t, place), *ends) for t in (below(delay), above(delay)))
+    weight, width = share(delay), show(place[A] > 0, left)
+    arm = gamma >= 0, gamma <= STIFF, delta >= 0, delta <= DAMPED
+    here = Given(alpha >= 0, alpha <= RANGE[delay], beta <= HIGH, *arm)
+    here = here.and_(left, low, zero(delay))
+    more, less = (here.closed(inst(t, place)) for t in (below(delay), above(delay)))
     value = error(delay)
     off = place[b] / weight - place[A]
     gaps = [
@@ -157,11 +139,7 @@ def small_error(delay: int) -> Theorem:
     ]
     most = combined(value <= HALF_WAY, [quotient(gaps[0], width)])
     least = combined(value >= -HALF_WAY, [quotient(gaps[1], width)])
-    wanted = Relation(size(delay), "<=", HALF_WAY)
-    up = combined(wanted, [most], [magnitude(value)])
-    down = combined(wanted, [least], [magnitude(value, True)])
-    up = closed(up, positive(value >= 0, value > 0))
-    found = closed(disj_cases(ordered(S.Zero, value), up, down), not_zero(width))
+    found = closed(at_most(size(delay), HALF_WAY, most, least), not_zero(width))
     found = closed(of_every_plant(found), slow())
     return disch(found, on_boundary_at(delay), alpha >= 0, alpha <= RANGE[delay])
 

@@ -142,7 +142,7 @@ def _search(claim: Relation, facts: Sequence[tuple[Theorem, Expr]], degree: int)
     scale = np.abs(np.vstack([rows / sizes[:, None], goal])).max(axis=0) + 1e-9
     table = (rows / sizes[:, None] / scale).T
     strict = [all(relation(facts[i][0]).sign == "<" for i in p) for p in places]
-    low = 1e-3 * np.abs(goal).mean()
+    low = 1e-4 * np.abs(goal).mean()
     extra = (-np.array([strict], dtype=float), [-low]) if claim.sign == "<" else (None, None)
     cost = [1 + len(p) for p in places]  # few and short products
     answer = linprog(cost, *extra, table, goal / scale)
