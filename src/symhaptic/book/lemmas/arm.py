@@ -121,7 +121,8 @@ def within(spring: Expr, damper: Expr, device: Expr) -> list[Theorem]:
     From limits in units of a second: of the arm's stiffness and damping per mass, and of the
     device's damping per mass.
     """
-    here = MASSES.and_(T > 0, second > 0, T**2 > 0)
+    here = MASSES.and_(T > 0, second > 0)
+    here.have(T**2 > 0)
     rate = here.have(1 / second > 0)
     stiff, both = spring / second**2, (damper + device) / second
     soft, calm, light = (

@@ -197,6 +197,7 @@ from symhaptic.proof.theorems.roots import (
 from symhaptic.proof.theorems.tactics import (
     at,
     by_contradiction,
+    by_multiple,
     chained,
     closed,
     counterexample,

@@ -99,33 +99,16 @@ def bounds() -> dict[str, Theorem]:
     _, _, inside = damping_between(0, RANGES)
     stiff = no_stiffer(0, (Rational(72, 100), Rational(83, 100)), RANGES)
     total, late = on_box(n_1 + n_0, RANGES), on_box(n_0, RANGES)
-    right = over(
-        alpha + gamma > 0, combined((alpha + gamma) * (n_1 + n_0) > 0, [first], [static]), total
-    )
-    apart = [positive(Ne(t.conclusion.right, 0), [t]) for t in (total, late)]  # type: ignore[attr-defined]
+    right = by_multiple(alpha + gamma > 0, total, [first], [static])
     wide = {**RANGES, alpha: (-STIFF, WIDE)}
     room = on_box(-2 * LOW * (n_1 + n_0) - (3 - a - e) - alpha * (n_1 - n_0), wide)
-    up = over(
-        beta - LOW > 0,
-        positive(2 * (n_1 + n_0) * (beta - LOW) > 0, [second], [room]),
-        positive(2 * (n_1 + n_0) > 0, [2, total]),
-    )
-    down = over(
-        HIGH - beta > 0,
-        positive(n_0 * (HIGH - beta) > 0, [inside], [on_box(n_0 * HIGH - 1, RANGES)]),
-        late,
-    )
+    up = by_multiple(beta - LOW > 0, show(2 * (n_1 + n_0) > 0, total), [second], [room])
+    here = Given(gamma <= STIFF)
     found = {
         "right": right,
-        "left": positive(WIDE - alpha - gamma > 0, [stiff], gamma <= STIFF, [Rational(1, 1000)]),
-        "up": closed(
-            up,
-            positive(alpha >= -STIFF, [right], gamma <= STIFF),
-            positive(alpha <= WIDE, [stiff], [Rational(2, 1000)]),
-        ),
-        "down": down,
+        "left": here.show(WIDE - alpha - gamma > 0, stiff),
+        "up": here.closed(up, right, stiff),
+        "down": by_multiple(HIGH - beta > 0, late, [inside], [on_box(n_0 * HIGH - 1, RANGES)]),
         "inside": inside,
     }
-    apart.append(positive(Ne(2 * (n_1 + n_0), 0), [2, total]))
-    found = {name: closed(t, *apart) for name, t in found.items()}
     return {name: t if name == "inside" else of_every_plant(t) for name, t in found.items()}

@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import itertools
 import json
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from copy import copy
 from fractions import Fraction
@@ -91,10 +91,12 @@ def nlinarith(claim: Any, *known: Any, degree: int = 2, search: bool = True) -> 
     if not search:
         raise NotShown(f"{claim} has no certificate")
     CERTIFICATES[key] = USED[key] = None
-    found = _search(claim, some, degree)
-    theorem = combined(claim, *_products(found, some))
-    CERTIFICATES[key] = USED[key] = found
-    return theorem
+    for found in _search(claim, some, degree):
+        with suppress(NotShown):
+            theorem = combined(claim, *_products(found, some))
+            CERTIFICATES[key] = USED[key] = found
+            return theorem
+    raise NotShown(f"{claim} is no sum of products of what is known")
 
 
 def _theorem(fact: Any) -> Theorem:
@@ -117,8 +119,8 @@ MOST = 1500
 """Products among which a linear program may choose, within seconds."""
 
 
-def _search(claim: Relation, facts: Sequence[tuple[Theorem, Expr]], degree: int) -> str:
-    """A certificate, by a linear program."""
+def _search(claim: Relation, facts: Sequence[tuple[Theorem, Expr]], degree: int) -> Iterator[str]:
+    """Certificates, by linear programs: few products, then those of the least shares."""
     from scipy.optimize import linprog
 
     signs = [i for i, (t, _) in enumerate(facts) if relation(t).sign in ("<", "<=")]
@@ -142,26 +144,26 @@ def _search(claim: Relation, facts: Sequence[tuple[Theorem, Expr]], degree: int)
     scale = np.abs(np.vstack([rows / sizes[:, None], goal])).max(axis=0) + 1e-9
     table = (rows / sizes[:, None] / scale).T
     strict = [all(relation(facts[i][0]).sign == "<" for i in p) for p in places]
-    low = 1e-4 * np.abs(goal).mean()
-    extra = (-np.array([strict], dtype=float), [-low]) if claim.sign == "<" else (None, None)
-    cost = [1 + len(p) for p in places]  # few and short products
-    answer = linprog(cost, *extra, table, goal / scale)
-    if answer.status != 0:
-        raise NotShown(f"{claim} is no sum of products of what is known")
-    used = np.flatnonzero(answer.x > 1e-9)
-    shares = np.linalg.lstsq(table[:, used], goal / scale, rcond=None)[0]
-    shares = (shares if (shares > 0).all() else answer.x[used]) / sizes[used]
-    return " + ".join(
-        " ".join(map(str, (-s if i < 2 * len(equal) and i % 2 else s, *places[i])))
-        for i, s in zip(used, map(_rational, shares), strict=True)
-    )
+    extra = (-np.array([strict], dtype=float) / sizes, [-1e-4]) if claim.sign == "<" else (None, None)
+    few = np.array([1 + len(p) for p in places])
+    for cost in (few, few / sizes, few * sizes):
+        answer = linprog(cost, *extra, table, goal / scale)
+        if answer.status != 0:
+            return
+        used = np.flatnonzero(answer.x > 1e-9)
+        shares = np.linalg.lstsq(table[:, used], goal / scale, rcond=None)[0]
+        shares = (shares if (shares > 0).all() else answer.x[used]) / sizes[used]
+        yield " + ".join(
+            " ".join(map(str, (-s if i < 2 * len(equal) and i % 2 else s, *places[i])))
+            for i, s in zip(used, map(_rational, shares), strict=True)
+        )
 
 
 def _rational(value: float) -> Fraction:
     """The simplest fraction nearby."""
-    for limit in (12, 720, 10_000):
+    for limit, near in ((12, 1e-7), (720, 1e-7), (10_000, 1e-8), (10_000_000, 1e-11)):
         found = Fraction(value).limit_denominator(limit)
-        if abs(found - value) < 1e-7 * max(1, abs(value)):
+        if abs(found - value) < near * max(1, abs(value)):
             break
     return found
 
@@ -206,7 +208,8 @@ class Given:
             self._know(_theorem(claim))
 
     def _know(self, theorem: Theorem, multiplier: Any = S.One) -> Theorem:
-        theorem = self._all_closed(theorem) if self._closes else theorem
+        assumed = theorem.hypotheses == {theorem.conclusion}
+        theorem = self._all_closed(theorem) if self._closes and not assumed else theorem
         self.allowed |= theorem.hypotheses
         self.known[theorem.conclusion] = theorem
         sign = not_negative(theorem) if _whole(theorem.conclusion) else theorem

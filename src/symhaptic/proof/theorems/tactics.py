@@ -38,6 +38,7 @@ from symhaptic.proof.theorems.kernel import (
     mp,
     not_intro,
     prove_hyp,
+    relation,
     spec,
 )
 from symhaptic.proof.theorems.leaves import (
@@ -230,3 +231,13 @@ def by_contradiction(wanted: Any, one: Theorem, other: Theorem) -> Theorem:
     if claim.sign == "<":
         return disj_cases(ordered(left, right), holds, fails)
     return disj_cases(ordered(right, left), fails, holds)
+
+
+def by_multiple(claim: Any, weight: Theorem, *products: Any) -> Theorem:
+    """A relation, from products whose sum is 0 < ``weight`` times it."""
+    wanted, scale = proposition(claim), relation(weight)
+    assert isinstance(wanted, Relation)
+    of, share = wanted.right - wanted.left, scale.right - scale.left
+    above = positive(Relation(sp.S.Zero, wanted.sign, share * of), *products)
+    found = divided(Relation(sp.S.Zero, wanted.sign, of), above, weight)
+    return closed(combined(wanted, [found]), combined(Relation(share, "!=", sp.S.Zero), [weight]))
