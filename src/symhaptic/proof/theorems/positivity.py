@@ -144,7 +144,9 @@ def _search(claim: Relation, facts: Sequence[tuple[Theorem, Expr]], degree: int)
     scale = np.abs(np.vstack([rows / sizes[:, None], goal])).max(axis=0) + 1e-9
     table = (rows / sizes[:, None] / scale).T
     strict = [all(relation(facts[i][0]).sign == "<" for i in p) for p in places]
-    extra = (-np.array([strict], dtype=float) / sizes, [-1e-4]) if claim.sign == "<" else (None, None)
+    extra = (
+        (-np.array([strict], dtype=float) / sizes, [-1e-4]) if claim.sign == "<" else (None, None)
+    )
     few = np.array([1 + len(p) for p in places])
     for cost in (few, few / sizes, few * sizes):
         answer = linprog(cost, *extra, table, goal / scale)
