@@ -7,7 +7,7 @@ from symhaptic.book.lemmas.arm_numbers import TOTAL, gap, together
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import ROOM, slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, TOP, reached
-from symhaptic.book.lemmas.linear_far import arc, on_the_circle, quotient
+from symhaptic.book.lemmas.linear_far import arc, on_the_circle, quotient, unnamed
 from symhaptic.book.lemmas.linear_gap import MOST, narrow
 from symhaptic.book.lemmas.linear_rays import share
 from symhaptic.book.lemmas.prelude import *
@@ -66,10 +66,7 @@ def wall(delay: int) -> Theorem:
     far = closed(far, positive(value <= 0, [down], [LEVEL]))
     found = exists(conj(boundary, less, far), wanted, {s: s for s in there})
     apart = not_zero(size), not_zero(width), positive(Ne(alpha + gamma, 0), [left])
-    there_is = conj(*(identity(w, w) for w in there.values()))
-    named = Exists(tuple(there), both([stiff.conclusion, damped.conclusion]))
-    found = choose(exists(there_is, named, there), closed(found, *apart, slow()))
-    return closed(found, not_zero(size))
+    return closed(unnamed(closed(found, *apart, slow()), there), not_zero(size))
 
 
 def _away(delay: int) -> Theorem:

@@ -77,10 +77,16 @@ def beyond(delay: int, spring: Expr, more: Expr, ranges: Ranges) -> Theorem:
     found = exists(found, far_at(delay), {s: s for s in there})
     apart = [*map(not_zero, (*known.values(), width)), positive(Ne(alpha + gamma, 0), [left])]
     found = closed(found, *apart, slow())
-    there_is = conj(*(identity(w, w) for w in there.values()))
-    named = Exists(tuple(there), both([stiff.conclusion, damped.conclusion]))
-    found = choose(exists(there_is, named, there), found)
-    return of_every_plant(closed(found, not_zero(known[area])))
+    return of_every_plant(closed(unnamed(found, there), not_zero(known[area])))
+
+
+def unnamed(theorem: Theorem, values: Terms) -> Theorem:
+    """Without the equations that give names to these values."""
+    named = both([Relation(s, "=", w) for s, w in values.items()])
+    there_is = exists(
+        conj(*(identity(w, w) for w in values.values())), Exists(tuple(values), named), values
+    )
+    return choose(there_is, theorem)
 
 
 def far_at(delay: int) -> Any:

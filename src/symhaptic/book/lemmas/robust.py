@@ -9,7 +9,6 @@ from itertools import pairwise
 
 from scipy.optimize import minimize_scalar
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.near_tip import none_above
 from symhaptic.book.lemmas.nyquist_triangle import needed
 from symhaptic.book.lemmas.outpaced import at_point
@@ -46,10 +45,8 @@ def stable_beside_all(delay: int) -> Theorem:
     turn = Rational(1, 100)
     soft = _by_springs(goals, criterion, (S.Zero, turn))
     stiff = _by_springs(goals, criterion, (turn, STIFFEST))
-    low = positive(gamma <= turn, gamma < turn)
-    found = disj_cases(ordered(gamma, turn), closed(soft, low), stiff)
-    found = of_every_plant(found)
-    return numbers_known(inst(found, {delta: DAMPED}))
+    found = disj_cases(ordered(gamma, turn), Given(gamma < turn).closed(soft), stiff)
+    return numbers_known(inst(of_every_plant(found), {delta: DAMPED}))
 
 
 def _by_springs(goals: Any, criterion: Theorem, springs: tuple[Expr, Expr]) -> Theorem:
@@ -132,38 +129,15 @@ def _undelayed(damper: Rational, held: Theorem) -> tuple[Expr, Theorem]:
         at_point(-value.xreplace(wall), {**plant, **reach}),
         {u: alpha - limit, v: (edge - alpha) / 2 - beta},
     )
-    less = combined(Relation(value, "<=", S.Zero), [none])
     # the damping is not far below zero: a half plane of Jury's, and the triangle
-    low, stiff = -2 * damper, assume(alpha >= limit)
+    low = -2 * damper
     plane: Expr = second.conclusion.right  # type: ignore[attr-defined]
     room = expand(4 * n_0 * (beta - low) - plane - (n_1 - n_0) * (edge - alpha - 2 * beta))
-    late = at_point(n_0, plant)
-    slow = over(
-        beta - low > 0,
-        combined(
-            4 * n_0 * (beta - low) > 0,
-            [second],
-            [at_point(n_1 - n_0, plant), right],
-            [at_point(room, plant)],
-        ),
-        positive(4 * n_0 > 0, [4, late]),
-    )
-    ends = [
-        positive(alpha - limit >= 0, [stiff]),
-        positive((edge - alpha) / 2 - beta >= 0, [S.Half, right]),
-        positive(
-            alpha - limit <= 8 * damper, [right], [2, slow], [8 * damper + limit - edge + 2 * low]
-        ),
-        positive(
-            (edge - alpha) / 2 - beta <= 4 * damper,
-            [S.Half, stiff],
-            [slow],
-            [4 * damper + limit / 2 - edge / 2 + low],
-        ),
-    ]
-    contrary = closed(not_intro(minor, less), *ends, not_zero(positive(4 * n_0 > 0, [4, late])))
-    wanted = Relation(alpha, "<", limit)
-    found = disj_cases(ordered(alpha, limit), assume(wanted), contr(contrary, wanted))
+    products = [second], [at_point(n_1 - n_0, plant), right], [at_point(room, plant)]
+    weight = positive(4 * n_0 > 0, [4, at_point(n_0, plant)])
+    slow = by_multiple(beta - low > 0, weight, *products)
+    less = Given(alpha >= limit).closed(positive(value <= 0, [none]), right, slow)
+    found = by_contradiction(alpha < limit, minor, less)
     found = numbers_known(inst(of_every_plant(found), here))
     return limit, closed(found, stable[0], stable[1], held)
 
