@@ -120,11 +120,7 @@ def _settle(page, condition):
         example=example(soft, [*given, PUSHES], holds(given[-1], soft, [S.Half])),
         unless=[
             counterexample(
-                claim,
-                pulled,
-                holds(given[-1], pulled, *pulls),
-                gives_energy(),
-                but=PUSHES,
+                claim, pulled, holds(given[-1], pulled, *pulls), gives_energy(), but=PUSHES
             )
         ],
         note="of walls with three taps, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$ with a whole $d$, as (1) is; "
@@ -156,10 +152,7 @@ def exactly() -> Theorem:
 def no_motion_gains(frequencies: Any) -> Theorem:
     """Passive, from (4) at every frequency and H(1) >= 0."""
     angle, period = theta / T, over(1 / T > 0, one(), T > 0)
-    inside = (
-        over(angle > 0, theta > 0, T > 0),
-        over(angle < pi / T, assume(theta < pi), T > 0),
-    )
+    inside = (over(angle > 0, theta > 0, T > 0), over(angle < pi / T, assume(theta < pi), T > 0))
     met = at(assume(frequencies), {omega: angle}, *inside)
     energy = by_angle()
     static, always = energy.conclusion.of[1].of

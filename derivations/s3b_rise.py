@@ -87,8 +87,7 @@ def _boundary(page):
     symbols, given, then = taken_apart(claim)
     curve, others = then.of
     on_it = page.lemma(
-        "A wall of (7) is passive, and needs all of the damping",
-        on_boundary(*map(assume, printed)),
+        "A wall of (7) is passive, and needs all of the damping", on_boundary(*map(assume, printed))
     )
     page.say(
         "Has the boundary other walls, more damped than the end of the line of $\\theta\\to0$? "

@@ -4,12 +4,7 @@ The highest and the lowest point of the passive walls are those without stiffnes
 frequency decides there, and whether the boundary really ends at $K=0$.
 """
 
-from symhaptic.book.lemmas.largest_damping import (
-    between,
-    divisors,
-    limit_points,
-    upper_frequency,
-)
+from symhaptic.book.lemmas.largest_damping import between, divisors, limit_points, upper_frequency
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
 from symhaptic.paper import STATEMENTS
@@ -104,10 +99,7 @@ def _ends(page, *derived):
         example=example(soft, more, met[1]),
         unless=[
             counterexample(
-                claim,
-                beyond,
-                *(met[0], not_intro(held, number(negated(order)), there)),
-                but=K >= 0,
+                claim, beyond, *(met[0], not_intro(held, number(negated(order)), there)), but=K >= 0
             )
         ],
         shows=r"$d=0$, $K=-1$, $B=\tfrac54b$ satisfies (5) at every frequency",

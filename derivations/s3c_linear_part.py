@@ -5,11 +5,7 @@ It is the line of vanishing frequency; we ask how far it reaches, and for which 
 condition that comes from it is enough.
 """
 
-from symhaptic.book.lemmas.linear_part import (
-    ends_at_corner,
-    met_at_every_frequency,
-    on_line,
-)
+from symhaptic.book.lemmas.linear_part import ends_at_corner, met_at_every_frequency, on_line
 from symhaptic.book.lemmas.lower_boundary import lower_boundary, on_the_line
 from symhaptic.book.lemmas.motions import HALF_LATE
 from symhaptic.book.lemmas.prelude import *
@@ -123,9 +119,7 @@ def _lower_part(page):
         "s3c-lower-part",
         for_all(symbols, [*given, top], add_assum(found, *given, top)),
         example=example(bottom | {y: S.One}, [*given, top]),
-        unless=[
-            counterexample(claim, bottom, denied, but=top),
-        ],
+        unless=[counterexample(claim, bottom, denied, but=top)],
         shows=r"(7) tends to $K=\tfrac45b/T$, not to the point $(0,-b)$ of (8)",
         note="that the lower part is linear holds for every real $d\\ge0$",
     )

@@ -5,11 +5,7 @@ delay, half a period of hold included. We ask for which damping this decides whe
 passive.
 """
 
-from symhaptic.book.lemmas.linear_part import (
-    LOW,
-    at_corner,
-    decides,
-)
+from symhaptic.book.lemmas.linear_part import LOW, at_corner, decides
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper import STATEMENTS

@@ -33,9 +33,7 @@ def derive(page):
         "$2\\tan\\frac\\pi6=1.1547$ there",
     )
     page.figure(
-        "fig5",
-        "Fig. 5 of the paper: the largest stiffness that satisfies (5).",
-        largest_stiffness,
+        "fig5", "Fig. 5 of the paper: the largest stiffness that satisfies (5).", largest_stiffness
     )
     _tips(page)
 

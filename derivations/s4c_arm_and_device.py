@@ -118,8 +118,7 @@ def _limits(page):
     claim = CLAIMED["s4c-independent-limits"](())
     symbols, given, _ = taken_apart(claim)
     found = page.lemma(
-        "Limits for the arm and for the device, each on its own, are enough",
-        conj(*limits(claim)),
+        "Limits for the arm and for the device, each on its own, are enough", conj(*limits(claim))
     )
     page.settle(
         "s4c-independent-limits",

@@ -100,10 +100,7 @@ def periods(page):
     short, period = T <= LONGEST, T > 0
     spare = LONGEST - STIFFNESS * LONGEST**2
     inside = positive(
-        STIFFNESS * T**2 < LONGEST,
-        [spare],
-        [STIFFNESS, short, period],
-        [STIFFNESS, LONGEST, short],
+        STIFFNESS * T**2 < LONGEST, [spare], [STIFFNESS, short, period], [STIFFNESS, LONGEST, short]
     )
     page.lemma("The range (23) covers the stiffness of (22)", inside)
     spare = 20 * LONGEST - DAMPING * LONGEST
@@ -113,10 +110,7 @@ def periods(page):
     )
     page.enclosed(
         "The ranges cover periods up to these, in milliseconds",
-        [
-            ("T_{\\gamma}", sqrt(LONGEST / STIFFNESS) * 1000),
-            ("T_{\\delta}", 20 / DAMPING),
-        ],
+        [("T_{\\gamma}", sqrt(LONGEST / STIFFNESS) * 1000), ("T_{\\delta}", 20 / DAMPING)],
         because="for slower sampling (23) leaves arms of Table II out, the stiffest first",
         places=6,
     )

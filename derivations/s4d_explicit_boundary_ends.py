@@ -143,8 +143,7 @@ def gap(page):
     )
     corner = {gamma: Rational(1, 1000), delta: Rational(1, 50), c: sqrt(-Rational(9, 2500))}
     page.enclosed(
-        "At the corner of (23) the distance is enclosed",
-        [("g", enclosed(below.subs(corner)))],
+        "At the corner of (23) the distance is enclosed", [("g", enclosed(below.subs(corner)))]
     )
 
 

@@ -70,8 +70,4 @@ def derive(page):
         because="on the way between two walls the zeros are continuous, and none crosses the "
         "circle; for every plant and every whole delay",
     )
-    page.settle(
-        "fig9",
-        drawn(),
-        note="for $d=2$ the spring takes over a percent of the width",
-    )
+    page.settle("fig9", drawn(), note="for $d=2$ the spring takes over a percent of the width")

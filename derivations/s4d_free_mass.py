@@ -108,12 +108,7 @@ def necessary(page, polynomial):
         "vanishes where $h=\\cos(d+1)\\theta-\\frac\\alpha4\\cot^2\\frac\\theta2$ does."
     )
     level = cos(ANGLE) - alpha / 4 * cot(theta / 2) ** 2
-    page.step(
-        "The function $h$ has this curvature",
-        -diff(level, theta, 2),
-        CURVATURE,
-        name="-h''",
-    )
+    page.step("The function $h$ has this curvature", -diff(level, theta, 2), CURVATURE, name="-h''")
     page.lemma(
         "The curvature of $h$ has one sign where $\\cos(d+1)\\theta$ is not negative",
         concave(),

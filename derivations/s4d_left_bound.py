@@ -52,10 +52,7 @@ def derive(page):
     at_line = loop.characteristic(FULL, split=c).subs({d: 0, alpha: -gamma, beta: 0})
     page.define("A period without a wall leaves this of a unit speed", r, kept)
     page.step(
-        "For $d=0$ the roots are 0, 1 and a speed",
-        at_line,
-        z * (z - 1) * (z - r),
-        name="p_1(z)",
+        "For $d=0$ the roots are 0, 1 and a speed", at_line, z * (z - 1) * (z - r), name="p_1(z)"
     )
     page.step(
         "The energy of that motion falls",

@@ -56,8 +56,7 @@ def derive(page):
     }
     heavy = {symbol: value if symbol == d else value / 2 for symbol, value in light.items()}
     steady = page.lemma(
-        "With the mass $m$ the wall $\\frac9{800}$, $-\\frac{13}{4000}$ is stable",
-        stable_at(light),
+        "With the mass $m$ the wall $\\frac9{800}$, $-\\frac{13}{4000}$ is stable", stable_at(light)
     )
     falls = page.lemma("With twice the mass the same wall is not stable", unstable_at(heavy))
     page.say(

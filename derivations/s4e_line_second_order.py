@@ -7,13 +7,7 @@ periods the line is what all boundaries tend to, for every delay. We ask how far
 from symhaptic.book.lemmas.linear_boundary import TOTAL
 from symhaptic.book.lemmas.linear_gap import narrow
 from symhaptic.book.lemmas.linear_rays import A
-from symhaptic.book.lemmas.linear_second_order import (
-    GAP,
-    UNEVEN,
-    linearised,
-    nearly_even,
-    on_line,
-)
+from symhaptic.book.lemmas.linear_second_order import GAP, UNEVEN, linearised, nearly_even, on_line
 from symhaptic.book.lemmas.linear_short_periods import all_tend
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.linear_error import short_periods

@@ -37,11 +37,7 @@ def derive(page):
         -n_0 * (n_0 + 3 * n_1) / 4,
         name=r"\tfrac12\,\Delta_2''(\alpha)",
     )
-    page.lemma(
-        "The gap of an arm is not negative",
-        room(),
-        because="$g(n_1+n_0)$, on all of (23)",
-    )
+    page.lemma("The gap of an arm is not negative", room(), because="$g(n_1+n_0)$, on all of (23)")
     page.say(
         "A polynomial that is not negative at the start, is bent downwards and is positive at some "
         "$\\alpha$ is positive at all softer walls of the line. The other inequalities without "

@@ -16,10 +16,7 @@ from symhaptic.paper.propositions.passivity import BORDER
 def derive(page):
     stiffness, damping = (e.subs(theta, omega_hat) for e in passivity.envelope())
     scaled = {b: delta * m / T}
-    in_plane = [
-        (stiffness * T**2 / m).subs(scaled),
-        (damping * T / m).subs(scaled),
-    ]
+    in_plane = [(stiffness * T**2 / m).subs(scaled), (damping * T / m).subs(scaled)]
     line = passivity.margin(omega_hat) * T / m
     line = line.subs({K: alpha * m / T**2, B: beta * m / T}).subs(scaled)
     free = page.free_of("the line", line, T, m)

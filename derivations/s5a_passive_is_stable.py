@@ -12,11 +12,7 @@ from symhaptic.book.lemmas.connections import (
     stays_on_circle,
 )
 from symhaptic.book.lemmas.one_plane import held_passive_is_stable
-from symhaptic.book.lemmas.passive_is_stable import (
-    DEVICE,
-    no_crossing,
-    passive_is_stable,
-)
+from symhaptic.book.lemmas.passive_is_stable import DEVICE, no_crossing, passive_is_stable
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.undelayed import passive_in_numbers

@@ -56,8 +56,7 @@ def derive(page):
         because="falls with $\\alpha$; and positive, it needs $\\beta>-s_1$",
     )
     page.lemma(
-        "A device that swings by less than half a turn in a period has $n_0\\le n_1$",
-        pushed()[2],
+        "A device that swings by less than half a turn in a period has $n_0\\le n_1$", pushed()[2]
     )
     page.say(
         "So all four stay positive while $\\alpha$ falls, down to $-\\gamma$. One period of delay "

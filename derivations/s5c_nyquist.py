@@ -5,13 +5,7 @@ which stiffness it is reached.
 """
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.swing import (
-    SQUARE,
-    by_its_square,
-    rewritten,
-    swings,
-    up_to_nyquist,
-)
+from symhaptic.book.lemmas.swing import SQUARE, by_its_square, rewritten, swings, up_to_nyquist
 from symhaptic.model import plant
 from symhaptic.model.plant import Plant
 
@@ -118,10 +112,7 @@ def _up_to_nyquist(page, turns):
     found = add_assum(conj(same, disch(slow, calm.of[0])), *given)
     point = {T: S.One, gamma: S.One, delta: S.Zero, omega: S.One}
     page.settle(
-        "eq30",
-        for_all(symbols, given, found),
-        turns**2 <= pi**2,
-        example=example(point, given),
+        "eq30", for_all(symbols, given, found), turns**2 <= pi**2, example=example(point, given)
     )
 
 

@@ -3,14 +3,7 @@ r"""Is the limit of the spring ten thousand times the stiffness of an arm?
 Against the arms of Table II the limit is a large factor, but which one?
 """
 
-from symhaptic.book.lemmas.arm_ranges import (
-    SHARE,
-    above,
-    damped,
-    divisors,
-    scale,
-    weak,
-)
+from symhaptic.book.lemmas.arm_ranges import SHARE, above, damped, divisors, scale, weak
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.swing import spring_of_nyquist
 from symhaptic.model import plant

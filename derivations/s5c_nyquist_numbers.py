@@ -4,15 +4,7 @@ The Nyquist frequency is reached at $\gamma=\pi^2+\delta^2/4$. In units of a dev
 5.1 of the paper.
 """
 
-from symhaptic.book.lemmas.arm_ranges import (
-    FIFTIETH,
-    SHARE,
-    above,
-    damped,
-    divisors,
-    scale,
-    weak,
-)
+from symhaptic.book.lemmas.arm_ranges import FIFTIETH, SHARE, above, damped, divisors, scale, weak
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.swing import spring_of_nyquist
 from symhaptic.model.plant import Plant

@@ -51,9 +51,7 @@ def derive(page):
         "Without delay the other factor is of second order:"
     )
     page.lemma(
-        "For $d=0$ the other zeros lie inside just for a triangle of walls",
-        triangle(),
-        boxed=True,
+        "For $d=0$ the other zeros lie inside just for a triangle of walls", triangle(), boxed=True
     )
     once = {alpha: S.One, beta: S.Zero, delta: S.One, l: S.One, q: S.One}
     symbols, given, _ = taken_apart(kept_at_minus_one())
@@ -178,9 +176,6 @@ def triangle() -> Theorem:
     there = {p: combined(p, [half, assume(m)]) for p, m in zip(sides, minors, strict=True)}
     back = [combined(m, [share, assume(p)]) for p, m in zip(sides, minors, strict=True)]
     same = either_way(
-        conj(*(there[p] for p in conjuncts(walls))),
-        conj(*back),
-        inside.conclusion.of[1],
-        walls,
+        conj(*(there[p] for p in conjuncts(walls))), conj(*back), inside.conclusion.of[1], walls
     )
     return gen(chained(inside, numbers_known(same)), alpha, beta)

@@ -59,10 +59,7 @@ def derive(page):
         page,
         "s6-mass",
         conj(free_mass(heavier, HELD), no_mass_differs(m, HEAVY)),
-        [
-            _grown(BRAKED | {HEAVY: S(2)}, S(2), S(2)),
-            _grown(SPRUNG | {HEAVY: S(4)}, S(4), S(4)),
-        ],
+        [_grown(BRAKED | {HEAVY: S(2)}, S(2), S(2)), _grown(SPRUNG | {HEAVY: S(4)}, S(4), S(4))],
         shows="twice the mass with the same damper gives less than twice the stiffness",
         note="the passive region is free of the mass, without condition",
     )

@@ -2,13 +2,7 @@
 
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.paper.propositions.stability import (
-    SQUARE,
-    at_angle,
-    damping,
-    on_boundary,
-    stiffness,
-)
+from symhaptic.paper.propositions.stability import SQUARE, at_angle, damping, on_boundary, stiffness
 
 
 @cache

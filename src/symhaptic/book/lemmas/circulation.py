@@ -28,10 +28,7 @@ def _stable(margins: Theorem, *known: Any) -> Theorem:
 def _undelayed_angles() -> tuple[Theorem, Theorem]:
     """sin((d + 1/2) theta) = sin(theta/2) and cos((d + 1) theta) = cos theta, for d = 0."""
     place, late = Symbol("q"), assume(Relation(S.Zero, "=", d))
-    sides = (
-        (sin((place + HALF) * theta), sin(theta / 2)),
-        (cos((place + 1) * theta), cos(theta)),
-    )
+    sides = ((sin((place + HALF) * theta), sin(theta / 2)), (cos((place + 1) * theta), cos(theta)))
     found = [
         subst(Relation(turned, "=", plain), place, identity(plain, plain), late)
         for turned, plain in sides

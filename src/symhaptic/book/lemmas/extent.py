@@ -73,9 +73,7 @@ def repeated() -> Theorem:
     first = first_half_turn()
     known = at(assume(first), {phi: low}, here.show(low > 0), here.show(N * low < pi))
     falls = over(
-        cos(low) / sin(low) - cos(psi) / sin(psi) > 0,
-        sin(psi - low) > 0,
-        sin(low) * sin(psi) > 0,
+        cos(low) / sin(low) - cos(psi) / sin(psi) > 0, sin(psi - low) > 0, sin(low) * sin(psi) > 0
     )
     by_sine, by_cosine = same_turn()
     found = combined(

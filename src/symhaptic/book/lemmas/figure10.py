@@ -36,11 +36,7 @@ def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
     angle = angle_of(damper, delay, level)
     size, half = SQUARE.xreplace({theta: angle}), cos(angle / 2)
     along, across = (f(S(delay)).xreplace({theta: angle}) for f in (stiffness, damping))
-    wall = {
-        theta: angle,
-        BESIDE[0]: along / (half * size),
-        BESIDE[1]: across / (sin(angle) * size),
-    }
+    wall = {theta: angle, BESIDE[0]: along / (half * size), BESIDE[1]: across / (sin(angle) * size)}
     below = half * sin(angle) * size
 
     def on_curve(expr: Expr) -> Theorem:

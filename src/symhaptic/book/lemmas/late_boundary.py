@@ -23,13 +23,7 @@ SQUARE = (
     m_2**2 + m_1**2 + m_0**2 + 2 * m_1 * (m_2 + m_0) * cos(theta) + 2 * m_2 * m_0 * cos(2 * theta)
 )
 """|M|^2."""
-TERMS = {
-    3: m_0,
-    2: m_1 - a * m_0,
-    1: m_2 - a * m_1 + e * m_0,
-    0: e * m_1 - a * m_2,
-    -1: e * m_2,
-}
+TERMS = {3: m_0, 2: m_1 - a * m_0, 1: m_2 - a * m_1 + e * m_0, 0: e * m_1 - a * m_2, -1: e * m_2}
 """z A times the conjugate of M, by powers of z."""
 
 

@@ -4,10 +4,7 @@ From the start of the line a wall is seen under the slope b/A = (d + 1/2) (1 + e
 """
 
 from symhaptic.book.lemmas.chords import not_zero
-from symhaptic.book.lemmas.linear_boundary import (
-    LOW,
-    on_it,
-)
+from symhaptic.book.lemmas.linear_boundary import LOW, on_it
 from symhaptic.book.lemmas.linear_rays import (
     A_1,
     A,

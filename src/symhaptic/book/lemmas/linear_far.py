@@ -7,19 +7,13 @@ from symhaptic.book.lemmas.arm_numbers import TOTAL, together
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import AT_REST, room, slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, TOP, minor, reached, turn
-from symhaptic.book.lemmas.linear_rays import (
-    share,
-)
+from symhaptic.book.lemmas.linear_rays import share
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model import linear
 from symhaptic.model.circle import expanded
 from symhaptic.model.plant import Sampled
-from symhaptic.paper.propositions.linear_error import (
-    LEVEL,
-    error,
-    far,
-)
+from symhaptic.paper.propositions.linear_error import LEVEL, error, far
 
 Ranges = Mapping[Symbol, tuple[Any, Any]]
 

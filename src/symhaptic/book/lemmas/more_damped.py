@@ -125,11 +125,7 @@ def grown(then: Proposition) -> Theorem:
     more, wider, right = then.parts
     wide: Any = wider
     there = for_all(wide.over, [wide.body.of[0]], grows())
-    return conj(
-        disch(more_damped_is_stable(), more.parts[0]),
-        there,
-        disch(kept(), right.parts[0]),
-    )
+    return conj(disch(more_damped_is_stable(), more.parts[0]), there, disch(kept(), right.parts[0]))
 
 
 STIFF_ONE = {

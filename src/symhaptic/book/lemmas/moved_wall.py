@@ -29,10 +29,7 @@ from symhaptic.book.lemmas.spring_box import (
     y_1,
 )
 from symhaptic.book.lemmas.stability import by_inequalities
-from symhaptic.book.lemmas.stiffest_stable import (
-    inequalities,
-    on_box,
-)
+from symhaptic.book.lemmas.stiffest_stable import inequalities, on_box
 from symhaptic.paper.propositions.plots import OTHER, THICK
 
 SIDES = "right", "left", "up", "down"

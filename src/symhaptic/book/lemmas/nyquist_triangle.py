@@ -95,12 +95,7 @@ def enough() -> Theorem:
         show(wanted[0], more, right),
         show(wanted[1], more, low, lost, right),
         show(wanted[2], lost, top),
-        combined(
-            wanted[3],
-            [low, left, top],
-            [low, lost, lost],
-            [low, lost, left, low],
-        ),
+        combined(wanted[3], [low, left, top], [low, lost, lost], [low, lost, left, low]),
     ]
     found = mp(loop, conj(*known))
     return here.closed(closed(found, *_divisors(found.hypotheses)))

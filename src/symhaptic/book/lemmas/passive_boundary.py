@@ -62,9 +62,7 @@ def of_the_end(stiffness: Expr, damping: Expr, equation: Theorem) -> tuple[Theor
     rest = 2 * d - 2 * (d + 1) * cos(angle) - 2 * cos(turn)
     spring = combined(Eq(stiffness, 0), [none, 4 * b * (d + 1) * (cos(angle) - 1) * bottom / T])
     damper = combined(
-        Eq(damping, b),
-        [none, b * rest * bottom],
-        [low, 2 * b * (d + 1) * sin(angle) * bottom],
+        Eq(damping, b), [none, b * rest * bottom], [low, 2 * b * (d + 1) * sin(angle) * bottom]
     )
     here = DELAY.and_(omega > 0, omega < pi / T)
     wave = here.show((2 * d + 2) * sin(angle) > 0)

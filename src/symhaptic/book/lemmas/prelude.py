@@ -114,12 +114,7 @@ from symhaptic.notation.proposition import (
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
 from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.analysis import (
-    above_its_start,
-    in_the_limit,
-    increases,
-    induction,
-)
+from symhaptic.proof.theorems.analysis import above_its_start, in_the_limit, increases, induction
 from symhaptic.proof.theorems.familiar import (
     axiom,
     both_ways,

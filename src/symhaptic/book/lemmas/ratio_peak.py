@@ -199,9 +199,6 @@ def never_met(some: Any) -> Theorem:
     there = proposition(Ne(END, PEAK))
     elsewhere_ = at(elsewhere(), {d: END}, conj(late, assume(there)))
     of_peak = behind(PEAK, below(S.One), of_delay(under, PEAK))
-    cases = (
-        closed(contrary(S.One), inst(of_peak, {d: END})),
-        closed(contrary(SHARE), elsewhere_),
-    )
+    cases = (closed(contrary(S.One), inst(of_peak, {d: END})), closed(contrary(SHARE), elsewhere_))
     false = disj_cases(decided(END, S(PEAK)), *cases)
     return reductio(choose(assume(some), false), some)

@@ -46,10 +46,7 @@ def poles_apart() -> tuple[Theorem, ...]:
     split, spring = assume(Ne(SPLIT, 0)), assume(Ne(SPRING, 0))
     square = combined(Ne(SPLIT**2, 0), [split, split])
     upper, lower = (-RATE + SPLIT) / 2, (-RATE - SPLIT) / 2
-    return (
-        square,
-        *(factor(e, spring, -other) for e, other in ((upper, lower), (lower, upper))),
-    )
+    return (square, *(factor(e, spring, -other) for e, other in ((upper, lower), (lower, upper))))
 
 
 @cache

@@ -60,10 +60,7 @@ def completed(
 
 
 def fails(
-    claim: Proposition,
-    point: Mapping[Symbol, Any],
-    but: Any = None,
-    holds: Sequence[Any] = (),
+    claim: Proposition, point: Mapping[Symbol, Any], but: Any = None, holds: Sequence[Any] = ()
 ) -> Case:
     """A point at which a claim about a device fails, and one condition of several."""
     values, answers = completed(claim, point)

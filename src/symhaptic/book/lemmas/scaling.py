@@ -9,17 +9,8 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
 )
 from symhaptic.model.circle import powers
-from symhaptic.paper.propositions.stability import (
-    HEAVY,
-    MORE,
-    SOON,
-    STIFFER,
-    STRONGER,
-    in_units,
-)
-from symhaptic.paper.propositions.stability import (
-    SHARE as LIGHTER,
-)
+from symhaptic.paper.propositions.stability import HEAVY, MORE, SOON, STIFFER, STRONGER, in_units
+from symhaptic.paper.propositions.stability import SHARE as LIGHTER
 from symhaptic.proof.theorems.definitions import loop_substituted
 
 DAMPER, SPRING = MORE[1:]

@@ -3,13 +3,7 @@
 from symhaptic.book.lemmas.corners import stiffest
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.region import (
-    DELAY,
-    measured,
-    needed,
-    on_first_half,
-    sufficient,
-)
+from symhaptic.book.lemmas.region import DELAY, measured, needed, on_first_half, sufficient
 
 TURN = pi / (4 * (d + 1))
 """Half the angle at which damping does nothing, theta = pi/(2 (d+1))."""

@@ -93,10 +93,7 @@ def off_the_border(frequencies: Any, sufficient: Theorem, needed: Theorem) -> Th
 def middle_inside() -> tuple[Theorem, Theorem]:
     """pi/(2T) lies between 0 and pi/T."""
     half = number(Relation(S.Zero, "<", pi / 2))
-    return (
-        over(pi / (2 * T) > 0, half, T > 0),
-        over(pi / (2 * T) < pi / T, half, T > 0),
-    )
+    return (over(pi / (2 * T) > 0, half, T > 0), over(pi / (2 * T) < pi / T, half, T > 0))
 
 
 def passive() -> Theorem:
@@ -106,10 +103,7 @@ def passive() -> Theorem:
     up, down = cosine_bounds(theta)
     above = combined(margin >= 0, [enough_], [magnitude(B), -1], [assume(B >= 0), up])
     below = combined(
-        margin >= 0,
-        [enough_],
-        [magnitude(B, negative=True), -1],
-        [positive(-B >= 0, B < 0), down],
+        margin >= 0, [enough_], [magnitude(B, negative=True), -1], [positive(-B >= 0, B < 0), down]
     )
     below = closed(below, positive(B <= 0, B < 0))
     always = for_all([theta], INSIDE, by_sign_of_damping(above, below))

@@ -15,13 +15,7 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import FREE, least, passive_wall
 from symhaptic.book.lemmas.ratio_peak import LIMIT as MOST
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
-from symhaptic.book.lemmas.stiffness_claims import (
-    ELEVEN,
-    LATE,
-    UNDELAYED,
-    beside,
-    passive_walls,
-)
+from symhaptic.book.lemmas.stiffness_claims import ELEVEN, LATE, UNDELAYED, beside, passive_walls
 from symhaptic.paper.propositions import ratio
 from symhaptic.paper.propositions.ratio import BEST, RATE, SPRINGS, WALL, stable
 from symhaptic.paper.propositions.stability import HEAVIER
