@@ -11,7 +11,6 @@ from symhaptic.book.lemmas.rates import with_damping_and_rate
 from symhaptic.model import passivity
 from symhaptic.paper.propositions.passivity import scaled
 
-ONE = S.One
 
 
 def derive(page):

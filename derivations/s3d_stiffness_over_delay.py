@@ -14,7 +14,6 @@ from symhaptic.paper import STATEMENTS
 
 HALF = {d: S.Half, T: S.One, b: S.One}
 TIP = HALF | {line.lhs: line.rhs.subs(HALF) for line in STATEMENTS["eq11"].printed}
-GAINS = half_late(Rational(17, 10))
 
 
 def derive(page):
