@@ -12,7 +12,6 @@ from symhaptic.model import passivity
 from symhaptic.paper.propositions.passivity import scaled
 
 
-
 def derive(page):
     line = page.define("At one angle the border is a line", r"F(\theta)", passivity.margin())
     stiffness, damping = passivity.envelope()
