@@ -7,7 +7,7 @@ not pull if there is no damper.
 from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
-from symhaptic.book.lemmas.stiffness_claims import UNDELAYED, beside, linear
+from symhaptic.book.lemmas.stiffness_claims import UNDELAYED, beside, from_bound, linear
 from symhaptic.book.lemmas.undamped_robust import excluded
 from symhaptic.paper.propositions import conclusion
 from symhaptic.paper.propositions.conclusion import CHANGES, FACTOR
@@ -73,15 +73,9 @@ def changed(parameter: Symbol, other: Expr, delay: int) -> Theorem:
     found = []
     for some, best, others in zip(claim.of, arms, arms[::-1], strict=True):
         wall, held = wall_below(best, delay, FINE)
-        limit, softer = none_above(others, delay, FINE)
-        found.append(beside(some, held, wall, partial(_below, limit, softer)))
+        _, softer = none_above(others, delay, FINE)
+        found.append(beside(some, held, wall, from_bound(softer)))
     return conj(*found)
-
-
-def _below(limit: Expr, softer: Theorem, wanted: Any) -> Theorem:
-    """c alpha < g x for all stable walls of the other device, alpha < L and x a number."""
-    share = wanted.left.coeff(alpha)
-    return combined(wanted, [share, softer], [wanted.right - share * limit])
 
 
 @cache

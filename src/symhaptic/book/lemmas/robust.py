@@ -17,7 +17,7 @@ from symhaptic.book.lemmas.passive_tip import at_unit, is_passive, passive_tip
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import least
 from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known, of_every_plant
-from symhaptic.book.lemmas.stiffness_claims import Wall, beside
+from symhaptic.book.lemmas.stiffness_claims import Wall, beside, from_bound
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 from symhaptic.paper.propositions import robust as claims
 from symhaptic.paper.propositions.plots import NYQUIST
@@ -188,17 +188,10 @@ def conservative() -> Theorem:
     """By how much robustly stable walls can be stiffer than passive ones."""
     best, found = (passive(d, BEST), is_passive()), []
     for n, ends in claims.CONSERVATIVE.items():
-        low, high = map(Rational, ends)
+        high = Rational(ends[1])
         more = claims.between(n).of[0]  # type: ignore[attr-defined]
-        most = least(n)
-        room = number(Relation(S.Zero, "<", WALLS[n][0] - low * most.conclusion.right))  # type: ignore[attr-defined]
-        above = beside(more, is_robust(n), WALLS[n], partial(_softer, low, most, room))
+        above = beside(more, is_robust(n), WALLS[n], from_bound(least(n)))
         found.append(conj(above, outdone(*best, (n, DAMPED), (n, DAMPED), high)))
     for n, end in claims.AT_MOST.items():
         found.append(outdone(*best, (n, DAMPED), (n, DAMPED), Rational(end)))
     return conj(*found)
-
-
-def _softer(low: Expr, most: Theorem, room: Theorem, wanted: Any) -> Theorem:
-    """c alpha < x for every passive wall."""
-    return combined(wanted, [low, most], [room])

@@ -90,7 +90,7 @@ def all_softer() -> Theorem:
     room = on_box((2 + gamma) * n_0 * n_1**2 - (TOTAL - w) ** 2, WIDER)
     two = over(2 - LARGEST > 0, room, known["weight"])
     here = Given(-gamma < alpha, alpha < LARGEST, gamma <= WIDE[gamma][1])
-    ends = (*ends, here.show(alpha >= -WIDE[gamma][1]), here.show(alpha <= 2, two))
+    inside = (*ends, here.show(alpha >= -WIDE[gamma][1]), here.show(alpha <= 2, two))
     loop = inst(by_inequalities(0), {beta: BEST})
     goals = conjuncts(loop.conclusion.of[1])  # type: ignore[attr-defined]
     product = positive(n_0 * n_1 > 0, [known["n_0"], known["n_1"]])
@@ -103,7 +103,7 @@ def all_softer() -> Theorem:
     heavy = positive(w > 0, [ends[0]], [LOW])
     rest = [static, n_0 * BEST], [root, share]
     shown.append(positive(goals[3], [heavy, alpha < LARGEST], *rest))
-    return closed(mp(loop, conj(*shown)), *ends, *_apart(), not_zero(product))
+    return closed(mp(loop, conj(*shown)), *inside, *_apart(), not_zero(product))
 
 
 @cache

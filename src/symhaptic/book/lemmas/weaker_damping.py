@@ -15,7 +15,14 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import FREE, least, passive_wall
 from symhaptic.book.lemmas.ratio_peak import LIMIT as MOST
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
-from symhaptic.book.lemmas.stiffness_claims import ELEVEN, LATE, UNDELAYED, beside, passive_walls
+from symhaptic.book.lemmas.stiffness_claims import (
+    ELEVEN,
+    LATE,
+    UNDELAYED,
+    beside,
+    from_bound,
+    passive_walls,
+)
 from symhaptic.paper.propositions import ratio
 from symhaptic.paper.propositions.ratio import BEST, RATE, SPRINGS, WALL, stable
 from symhaptic.paper.propositions.stability import HEAVIER
@@ -206,8 +213,7 @@ def _step(some: Any, arm: Arm, other: Arm, delay: int) -> Theorem:
     high: Any = least(delay, other[1]).conclusion.right / limit  # type: ignore[attr-defined]
     share = rounded(float(low + high) / 2)
     under, _ = some.body.at({RATE: share}).of
-    gap = number(Relation(S.Zero, "<", share * wall[0] - most.conclusion.right))  # type: ignore[attr-defined]
-    first = beside(under, held, wall, lambda wanted: positive(wanted, [most], [gap]))
+    first = beside(under, held, wall, from_bound(most))
     here = {d: S(delay), RATE: share, MOST: limit, gamma: other[0], delta: other[1]}
     second = inst(above_the_rate(), here)
     rest = [fact(p) for p in second.hypotheses if isinstance(p, (Relation, Predicate))]
