@@ -5,15 +5,9 @@ damper $b_H$ and a spring $k_H$ to the resting posture.  Which single mass, damp
 stand for both, and what is left when nothing is assumed of the arm?
 """
 
-from sympy import Eq, Poly, S
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.plant import Plant
-from symhaptic.notation import F_E, b, b_D, b_H, k, k_H, m, m_D, m_H, s, x
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import either_way, example, for_all
+from symhaptic.notation import F_E
 
 
 def derive(page):

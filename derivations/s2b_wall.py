@@ -4,10 +4,9 @@ Once per period $T$ the wall reads the position and answers with the force of a 
 of a damper $B$, whose velocity is the difference of the last two positions.
 """
 
-from sympy import Eq
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import wall
-from symhaptic.notation import B, K, T, function, z
+from symhaptic.notation import function
 
 
 def derive(page):

@@ -5,20 +5,13 @@ We ask whether only their sum matters, and whether a delay that is no multiple o
 period can be treated like one that is.
 """
 
-from sympy import Ne, S
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import late_answer, lumped
 from symhaptic.book.lemmas.sampled_points import FREE, completed, shown_at
-from symhaptic.model.parts import Parts
 from symhaptic.model.plant import normalised, sampled
-from symhaptic.notation import T, d, d_1, d_2, function, l, t_d, z
-from symhaptic.notation.proposition import TRUE, Predicate, Relation
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume, conj, exists
-from symhaptic.proof.theorems.leaves import is_whole
+from symhaptic.notation import d_1, d_2, function
+from symhaptic.notation.proposition import TRUE
 from symhaptic.proof.theorems.roots import degree
-from symhaptic.proof.theorems.tactics import closed, every, example, fact, for_all, over, positive
 
 
 def derive(page):

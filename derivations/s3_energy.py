@@ -5,19 +5,17 @@ a force that is held in between.  The hand gains energy if the wall gives more t
 burns.  Which inequality forbids this, and is it the whole truth?
 """
 
-from sympy import I, S, cos, exp, re
+from sympy import re
 
-from symhaptic.book.lemmas.answers import PUSHES, exactly, holds, no_motion_gains
-from symhaptic.book.lemmas.answers import pulled as gives_energy
+from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.largest_damping import divisors
+from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
-from symhaptic.notation import K, T, b, d, function, omega, p_k, theta, v, x, z
+from symhaptic.notation import b, function, p_k, v
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.propositions.passivity import TAPS
-from symhaptic.proof.theorems.familiar import square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
+from symhaptic.paper.propositions.passivity import ANSWER, TAPS
+from symhaptic.proof.theorems.energy import toeplitz
 
 
 def derive(page):
@@ -122,11 +120,7 @@ def _settle(page, condition):
         example=example(soft, [*given, PUSHES], holds(given[-1], soft, [S.Half])),
         unless=[
             counterexample(
-                claim,
-                pulled,
-                holds(given[-1], pulled, *pulls),
-                gives_energy(),
-                but=PUSHES,
+                claim, pulled, holds(given[-1], pulled, *pulls), gives_energy(), but=PUSHES
             )
         ],
         note="of walls with three taps, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$ with a whole $d$, as (1) is; "
@@ -135,3 +129,56 @@ def _settle(page, condition):
         shows="a wall of three taps, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$, may pull: $H=-(1+1/z+1/z^2)$ "
         "satisfies (4) for every damper, and gives energy away",
     )
+
+
+# Which environments h_0 + h_1/z + h_2/z^2 give no energy away: (4) for any three answers.
+
+PUSHES = Add(*TAPS) >= 0
+"""H(1) >= 0: at rest the environment does not pull."""
+
+_WHOLE = tuple(is_whole(d + late, assume(whole(d))) for late in (1, 2))
+
+
+def by_angle() -> Theorem:
+    """passive <=> H(1) >= 0 and the margin at every angle."""
+    return toeplitz(ANSWER, z, b / T, theta)
+
+
+def exactly() -> Theorem:
+    """The same for T > 0 and a whole delay."""
+    return closed(by_angle(), *apart(), *_WHOLE)
+
+
+def no_motion_gains(frequencies: Any) -> Theorem:
+    """Passive, from (4) at every frequency and H(1) >= 0."""
+    angle, period = theta / T, over(1 / T > 0, one(), T > 0)
+    inside = (over(angle > 0, theta > 0, T > 0), over(angle < pi / T, assume(theta < pi), T > 0))
+    met = at(assume(frequencies), {omega: angle}, *inside)
+    energy = by_angle()
+    static, always = energy.conclusion.of[1].of
+    margin = closed(positive(always.body.of[1], [met, period]), *divisors(theta), *apart())
+    found = follows(energy, assume(static), for_all([theta], INSIDE, margin))
+    return closed(found, *apart(), *_WHOLE)
+
+
+def apart() -> tuple[Theorem, ...]:
+    """T is not zero."""
+    return (positive(Ne(T, 0), T > 0),)
+
+
+def holds(frequencies: Any, point: Mapping[Any, Any], *margin: Any) -> Theorem:
+    """(4) at every frequency for an environment in numbers, by the products of its margin."""
+    relation = frequencies.body.of[1].at(point)
+    half = sine_of_half(omega)
+    turned = not_zero(positive(1 - cos(omega) > 0, [2, half, half]))
+    found = closed(combined(relation, *margin), turned)
+    return for_all([omega], [omega > 0, omega < pi], found)
+
+
+def gives_energy() -> Theorem:
+    """-(1 + 1/z + 1/z^2) gives energy away beside the damper b/T = 1."""
+    energy = toeplitz(ANSWER.subs(dict.fromkeys(TAPS, -1) | {d: 0}), z, S.One, theta)
+    static, _ = energy.conclusion.of[1].of
+    negative = denied(combined(Relation(S(-3), "<", S.Zero), [3]), static)
+    gains = denied_by(energy, not_all(energy.conclusion.of[1], negative))
+    return closed(gains, *map(is_whole, map(Integer, range(3))))

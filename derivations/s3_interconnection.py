@@ -4,10 +4,8 @@ Passivity is used because it survives when systems are connected. We ask which c
 are, and what stability it is that follows.
 """
 
-from sympy import I, Rational, S, pi, symbols
-
 from symhaptic.book.lemmas.connections import (
-    DAMPED,
+    DAMPED_DEVICE,
     HELD,
     NO_CHAIN,
     connected_is_passive,
@@ -17,15 +15,10 @@ from symhaptic.book.lemmas.connections import (
     passive_wall_is_stable,
     stays_on_circle,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import passive_in_numbers
-from symhaptic.model.passivity import real_part
 from symhaptic.model.plant import Plant
-from symhaptic.notation import B, F, K, T, alpha, b, beta, d, delta, gamma, m, omega, s, t, v
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.systems import FREQUENCY, KIND, R_1, R_2, X_1, X_2
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, conj
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all, not_all
 
 
 def derive(page):
@@ -94,7 +87,7 @@ def derive(page):
 def _settle(page):
     claim = CLAIMED["s3-interconnection"](())
     symbols, given, then = taken_apart(claim)
-    extra = [NO_CHAIN, HELD, DAMPED]
+    extra = [NO_CHAIN, HELD, DAMPED_DEVICE]
     stable = page.lemma(
         "A passive wall brings every damped device to rest, behind every delay, if it or a spring "
         "holds the mass",
@@ -123,7 +116,7 @@ def _settle(page):
         unless=[
             fails(chain, negative(chain), NO_CHAIN),
             fails(drift, stays_on_circle(drift, S.Zero), HELD),
-            fails(swing, stays_on_circle(swing, pi / 2), DAMPED),
+            fails(swing, stays_on_circle(swing, pi / 2), DAMPED_DEVICE),
         ],
         shows=r"two lags in a chain are not passive, a passive wall without stiffness lets a "
         "free mass drift, and without a damper a spring swings for ever",

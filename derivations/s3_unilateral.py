@@ -5,9 +5,7 @@ no contact. The paper takes from its first reference that the passivity conditio
 We check how much of that follows from a simple bound.
 """
 
-from sympy import symbols
-
-from symhaptic.notation import K, p_k, x
+from symhaptic.book.lemmas.prelude import *
 
 
 def derive(page):

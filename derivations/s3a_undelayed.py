@@ -5,11 +5,9 @@ condition up for all frequencies at once; on the border, and for walls that pull
 something else.
 """
 
-from sympy import Rational, S, cos
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import (
     APART,
-    HALF,
     OFF_BORDER,
     damped_side,
     decides,
@@ -23,28 +21,8 @@ from symhaptic.book.lemmas.undelayed import (
     weakly_needed,
 )
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, theta
-from symhaptic.notation.proposition import And, Relation
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import SIX, UNDELAYED
 from symhaptic.proof.theorems.definitions import gains
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    add_assum,
-    assume,
-    conj,
-    conjunct,
-    mp,
-    not_intro,
-)
-from symhaptic.proof.theorems.leaves import identity, number
-from symhaptic.proof.theorems.tactics import (
-    closed,
-    counterexample,
-    example,
-    for_all,
-    none_of,
-)
 
 
 def derive(page):

@@ -4,35 +4,12 @@ At one frequency the condition is a half plane in the $(K,B)$ plane, bounded by 
 frequency changes the line turns and shifts, and its neighbours cut off a curve: the envelope.
 """
 
-from sympy import S, diff, pi, sin
-
 from symhaptic.book.figures.arguments import lines_of_angles
 from symhaptic.book.lemmas.largest_damping import divisors
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.rates import with_damping_and_rate
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, omega, theta, y
-from symhaptic.notation.proposition import negated
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import scaled
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    add_assum,
-    assume,
-    conj,
-    conjunct,
-    mp,
-    not_intro,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    counterexample,
-    example,
-    for_all,
-)
-
-ONE = S.One
 
 
 def derive(page):

@@ -5,11 +5,9 @@ that no other line cuts off. We show, for every real $d\ge0$ and $K\ge0$, that f
 $\pi/(T(d+1))$ cut off nothing.
 """
 
-from sympy import S, cos, cot, pi, sin
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import at_every_angle
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, N, T, b, d, phi, psi, theta, u, w
 
 
 def derive(page):

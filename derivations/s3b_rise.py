@@ -6,25 +6,18 @@ With $\psi=\omega T/2$, $N=2(d+1)$, $u=KT/(2b)$ and $w=(B+KT/2)/b$ as before, th
 signs on $0<N\psi<\pi$ for $N>2$; each is certified.
 """
 
-from sympy import Eq, Rational, S, cos, cot, diff, pi, sin
-
 from symhaptic.book.lemmas.chords import bend, chord_after, chord_before, flatter, width
 from symhaptic.book.lemmas.envelope import LOWER, UPPER, rises
 from symhaptic.book.lemmas.motions import STEPS, half_late, not_on_boundary
 from symhaptic.book.lemmas.passive_boundary import on_boundary
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.tip import tip
 from symhaptic.book.lemmas.touching import touches
 from symhaptic.book.lemmas.upper_boundary import met, needed_there, upper_boundary
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, N, T, b, d, omega, psi, theta, u
 from symhaptic.notation.latex import latex
-from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import BORDER
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume, conj, conjunct, disch
-from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 
 
 def derive(page):
@@ -94,8 +87,7 @@ def _boundary(page):
     symbols, given, then = taken_apart(claim)
     curve, others = then.of
     on_it = page.lemma(
-        "A wall of (7) is passive, and needs all of the damping",
-        on_boundary(*map(assume, printed)),
+        "A wall of (7) is passive, and needs all of the damping", on_boundary(*map(assume, printed))
     )
     page.say(
         "Has the boundary other walls, more damped than the end of the line of $\\theta\\to0$? "

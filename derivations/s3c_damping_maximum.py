@@ -4,31 +4,10 @@ The highest and the lowest point of the passive walls are those without stiffnes
 frequency decides there, and whether the boundary really ends at $K=0$.
 """
 
-from sympy import Eq, Rational, S, cos, pi
-
-from symhaptic.book.lemmas.largest_damping import (
-    between,
-    divisors,
-    limit_points,
-    upper_frequency,
-)
+from symhaptic.book.lemmas.largest_damping import between, divisors, limit_points, upper_frequency
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, omega, theta, x, y
-from symhaptic.notation.proposition import negated
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.familiar import bounded, square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    add_assum,
-    assume,
-    conj,
-    conjunct,
-    mp,
-    not_intro,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 
 
 def derive(page):
@@ -120,10 +99,7 @@ def _ends(page, *derived):
         example=example(soft, more, met[1]),
         unless=[
             counterexample(
-                claim,
-                beyond,
-                *(met[0], not_intro(held, number(negated(order)), there)),
-                but=K >= 0,
+                claim, beyond, *(met[0], not_intro(held, number(negated(order)), there)), but=K >= 0
             )
         ],
         shows=r"$d=0$, $K=-1$, $B=\tfrac54b$ satisfies (5) at every frequency",

@@ -5,38 +5,14 @@ It is the line of vanishing frequency; we ask how far it reaches, and for which 
 condition that comes from it is enough.
 """
 
-from sympy import Eq, Ne, Rational, S
-
-from symhaptic.book.lemmas.linear_part import (
-    ends_at_corner,
-    met_at_every_frequency,
-    on_line,
-)
+from symhaptic.book.lemmas.linear_part import ends_at_corner, met_at_every_frequency, on_line
 from symhaptic.book.lemmas.lower_boundary import lower_boundary, on_the_line
 from symhaptic.book.lemmas.motions import HALF_LATE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, omega, theta, y
-from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.analysis import no_other_limit
 from symhaptic.proof.theorems.definitions import gains
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    add_assum,
-    assume,
-    conj,
-    conjunct,
-    exists,
-    mp,
-    not_intro,
-)
-from symhaptic.proof.theorems.leaves import number, tends
-from symhaptic.proof.theorems.tactics import (
-    counterexample,
-    example,
-    for_all,
-)
 
 
 def derive(page):
@@ -143,9 +119,7 @@ def _lower_part(page):
         "s3c-lower-part",
         for_all(symbols, [*given, top], add_assum(found, *given, top)),
         example=example(bottom | {y: S.One}, [*given, top]),
-        unless=[
-            counterexample(claim, bottom, denied, but=top),
-        ],
+        unless=[counterexample(claim, bottom, denied, but=top)],
         shows=r"(7) tends to $K=\tfrac45b/T$, not to the point $(0,-b)$ of (8)",
         note="that the lower part is linear holds for every real $d\\ge0$",
     )

@@ -5,28 +5,11 @@ delay, half a period of hold included. We ask for which damping this decides whe
 passive.
 """
 
-from sympy import Ne, Rational, S
-
-from symhaptic.book.lemmas.linear_part import (
-    LOW,
-    at_corner,
-    decides,
-)
+from symhaptic.book.lemmas.linear_part import LOW, at_corner, decides
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS
-from symhaptic.notation import B, K, T, b, d
-from symhaptic.notation.proposition import negated, whole
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.definitions import gains
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume, mp, not_intro
-from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.tactics import (
-    counterexample,
-    either_way,
-    example,
-    for_all,
-)
 
 
 def derive(page):

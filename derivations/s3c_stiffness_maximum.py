@@ -4,20 +4,12 @@ It is the rightmost point of the boundary. There a change of the damping must no
 coefficient in the condition vanishes; that fixes the frequency, and everything else follows.
 """
 
-from sympy import Eq, Rational, S, cos, diff, pi, sin, sqrt, tan
-
+from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.motions import half_late, not_passive
-from symhaptic.book.lemmas.stiffest_passive import bound, stiffest_wall
-from symhaptic.book.lemmas.stiffness_ratio import case, ratio
-from symhaptic.book.lemmas.tip_frequency import first_without_damping
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.lemmas.stiffest_passive import TURN, bound, largest_of, stiffest_wall, waves
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, omega, theta
-from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 
 def derive(page):
@@ -146,3 +138,90 @@ def _stiffest(page, *derived):
         shows=r"half a period late, this wall gives energy away in 60 periods",
         note="the largest stiffness that satisfies (5), for every real $d$",
     )
+
+
+# The largest passive stiffness of a delay over that without delay, for every b > 0 and T > 0.
+
+
+def both_sides(stiffness: Expr, delay: int, printed: Any, known: Any) -> tuple[Theorem, ...]:
+    """What is the largest stiffness is at most, and at least, that of (11)."""
+    there_is, others = known
+    passive, bound, value = largest_of(printed, delay)
+    below = choose(assume(there_is), inst(bound, {K: stiffness}))
+    wall = passive.conclusion.of
+    above = at(assume(others), {w: wall[0], B: wall[1]}, passive)
+    return positive(stiffness <= value, [below]), positive(value <= stiffness, [above]), value
+
+
+def ratio(claim: Proposition, printed: Any, delay: int) -> Theorem:
+    """The bounds on y/x that a claim names."""
+    symbols, given, then = taken_apart(claim)
+    first = both_sides(x, 0, printed, given[2:4])
+    other = both_sides(y, delay, printed, given[4:])
+    period = over(1 / T > 0, one(), T > 0)
+    size = positive(x > 0, [first[1]], [2, period, b > 0])
+    bounds = []
+    for relation in conjuncts(then):
+        lower = not relation.left.free_symbols
+        limit = relation.left if lower else relation.right
+        way = 1 if lower else -1
+        rest = number(Relation(S.Zero, "<", _per_damping(way * (other[2] - limit * first[2]))))
+        known = [[other[lower]], [limit, first[not lower]], [rest, period, b > 0]]
+        part = positive(way * (y - limit * x) > 0, *known)
+        bounds.append(over(relation, part, size))
+    apart = not_zero(size), not_zero(assume(T > 0))
+    found = closed(conj(*bounds) if len(bounds) > 1 else bounds[0], *apart, *apart)
+    found = closed(found, positive(b >= 0, b > 0))
+    return for_all(symbols, given, add_assum(found, *given))
+
+
+def _per_damping(stiffness: Expr) -> Expr:
+    """A stiffness in units of b/T."""
+    return stiffness.subs({b: 1, T: 1})
+
+
+def case(claim: Proposition, printed: Any, delay: int) -> Case:
+    """The walls of (11) for b = T = 1, at which all that the claim supposes is true."""
+    _, given, _ = taken_apart(claim)
+    unit: dict[Symbol, Expr] = {b: S.One, T: S.One}
+    walls = [largest_of(printed, late) for late in (0, delay)]
+    point = unit | {s: wall[2].xreplace(unit) for s, wall in zip((x, y), walls, strict=True)}
+    known: list[Theorem] = []
+    for (there_is, others), wall in zip((given[2:4], given[4:]), walls, strict=True):
+        passive, bound = (inst(t, unit) for t in wall[:2])
+        passive, bound = (closed(t, *_numbers(t)) for t in (passive, inst(bound, {K: w})))
+        known.append(exists(passive, there_is.at(point), {B: passive.conclusion.of[1]}))
+        goal, some = others.at(point), others.at(point).body.of[0]
+        least = positive(goal.body.of[1], [bound])
+        known.append(for_all([w, B], [some], least))
+    return example(point, given, *known)
+
+
+def _numbers(theorem: Theorem) -> list[Theorem]:
+    """The hypotheses without symbols."""
+    return [fact(claim) for claim in theorem.hypotheses if not claim.free]
+
+
+# The frequency of the stiffest wall: there damping does nothing, and at no lower one.
+
+
+def first_without_damping(equation: Any, claim: Any) -> Theorem:
+    """The claim at omega = pi/(2 T (d+1))."""
+    at = equation.rhs
+    low, high, none, first, touched = claim.at({omega: at}).of
+    here = waves()
+    above, below = here.show(low), here.show(high)
+    nothing = identity(none.left, none.right)
+    before = here.and_(x > 0, x < at)
+    before.have((d + 1) * T * x < pi / 2, degree=3)
+    wave = before.show(cos((d + 1) * T * x) > 0, degree=3)
+    before.have(T * x < pi, degree=3)
+    goal = show(first.body.of[1], wave)
+    first = for_all([x], first.body.of[0].of, before.closed(goal, sine_of_half(T * x)))
+    stiffness, need = touched.body.of[0].of[-1], touched.body.of[1]
+    met = show(need, stiffness)
+    met = for_all(touched.over, touched.body.of[0].of, add_assum(met, b >= 0))
+    everything = conj(above, below, nothing, first, met)
+    found = subst(claim, omega, everything, show(Eq(at, omega), equation))
+    level = here.show(2 - 2 * cos(2 * TURN) > 0)
+    return here.closed(found, level)

@@ -4,34 +4,25 @@ Fig. 4 of the paper draws the boundary for seven delays, two of them fractions o
 looks like is told in \chapter{s3b_rise}. For which delays are these the passive walls?
 """
 
-from sympy import Rational, S, cos, pi, sin, tan
-
 from symhaptic.book.figures.passivity import passive_regions
-from symhaptic.book.lemmas.drawn import drawn
+from symhaptic.book.lemmas.extent import sine
+from symhaptic.book.lemmas.linear_part import known, on_line
+from symhaptic.book.lemmas.lower_boundary import border_needs, nothing_else, of_border
 from symhaptic.book.lemmas.motions import half_late
+from symhaptic.book.lemmas.passive_boundary import on_boundary
 from symhaptic.book.lemmas.passivity import PASSIVE
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.lemmas.region import bordering, first_half, limits, pushes, sufficient
+from symhaptic.book.lemmas.stiffest_passive import stiffest_wall
+from symhaptic.book.lemmas.upper_boundary import loss, upper_boundary
 from symhaptic.model import fractional, passivity
-from symhaptic.notation import B, K, T, b, d, epsilon, h, l, omega, theta, y
-from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.figures import DELAYS
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.passivity import BORDER, UPPER
 from symhaptic.proof.ball import ball
 from symhaptic.proof.roots import decimals
 from symhaptic.proof.series import limit
 from symhaptic.proof.theorems.definitions import gains
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    add_assum,
-    assume,
-    conj,
-    conjunct,
-    disj,
-    mp,
-    not_intro,
-)
-from symhaptic.proof.theorems.leaves import identity, number
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 UNIT = {b: 1, T: 1}
 
@@ -145,3 +136,74 @@ def _curves(page):
         shows=r"half a period late, the tip of the curve for $d=0.5$ gives energy away",
         note="five of the seven curves are what the caption says, the other two are (5)",
     )
+
+
+# What Fig. 4 draws: the curve (7), the line (8) and the tip (11) of a whole delay, and no more.
+
+
+def drawn(claim: Any) -> Theorem:
+    """Arc, line, the upper part without delay, that there is nothing else, and the tip."""
+    *parts, others, tip = claim.of
+    made = on_boundary, on_line, lambda *_: on_it()
+    found = [_implied(of, how) for of, how in zip(parts, made, strict=True)]
+    return conj(*found, _no_others(others), _implied(tip, stiffest_wall))
+
+
+def _implied(implication: Any, made: Callable[..., Theorem]) -> Theorem:
+    """One implication, of which the print comes last."""
+    known = conjuncts(implication.of[0])
+    return disch(add_assum(made(*map(assume, known[-2:])), *known), implication.of[0])
+
+
+def _no_others(implication: Any) -> Theorem:
+    """A wall of the boundary is on the arc, on the line or, without delay, on the upper part."""
+    border, cover = implication.of
+    arc, line, _ = cover.of
+    late = strictly(assume(d >= 0), show(Ne(S.Zero, d), Ne(d, 0)))
+    above = disj(closed(upper_boundary(arc), late), cover)
+    damped = show(B >= 0, d * b / (2 * d + 3) < B, loss())
+    at_once = disj(closed(its_damping(), damped), cover)
+    high = disj_cases(decided(d, 0), at_once, above)
+    low = disj(nothing_else(line.body.of[2:]), cover)
+    found = disj_cases(ordered(d * b / (2 * d + 3), B), high, low)
+    found = closed(Given(d >= 0).closed(found), conjunct(assume(border), BORDER))
+    return disch(found, border)
+
+
+# Without delay the upper part of the boundary is b = KT/2 + B, for B >= 0 and K >= 0.
+
+NONE, STIFF, DAMPED, FULL = UPPER.parts
+LEAST = K * T / 2 + B
+"""The damping that these walls need."""
+
+
+@cache
+def enough() -> Theorem:
+    """Without delay a wall with K >= 0 and B >= 0 is passive beside the damping KT/2 + B."""
+    there = {b: LEAST, d: S.Zero}
+    always = first_half().at(there)
+    given, goal = always.body.of
+    margin = combined(goal, [assume(DAMPED), inst(known()[2], {d: S.Zero})])
+    margin = for_all([phi], given.of, Given(phi * 2 < pi, phi > 0).closed(margin, sine(phi)))
+    found = Given(K >= 0, T > 0).closed(closed(inst(sufficient(), there), margin))
+    pattern = PASSIVE.at({b: LEAST, d: x})
+    return subst(pattern, x, found, show(Eq(S.Zero, d), NONE))
+
+
+@cache
+def on_it() -> Theorem:
+    """Such a wall with b = KT/2 + B is on the boundary."""
+    full = assume(FULL)
+    passive = subst(PASSIVE.at({b: x}), x, enough(), show(Eq(LEAST, b), full))
+    least = show(b <= x, inst(limits()[0], {b: x}), full)
+    return bordering(passive, least)
+
+
+@cache
+def its_damping() -> Theorem:
+    """A wall of the boundary with B >= 0 is one of them."""
+    stiff = of_border(pushes())
+    force = show(LEAST >= 0, stiff, T > 0, DAMPED)
+    need = border_needs(LEAST, closed(enough(), stiff), force)
+    full = both_ways(need, show(b >= LEAST, of_border(limits()[0])))
+    return conj(assume(NONE), stiff, assume(DAMPED), full)

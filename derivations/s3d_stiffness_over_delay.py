@@ -4,25 +4,16 @@ Fig. 5 of the paper draws the stiffness of (11) over the delay. For which delays
 that is passive?
 """
 
-from sympy import Rational, S, pi, tan
-
 from symhaptic.book.figures.passivity import largest_stiffness
 from symhaptic.book.lemmas.half_late_passive import passive_with
 from symhaptic.book.lemmas.motions import half_late, not_passive
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import stiffest_wall, waves
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, theta
-from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume, conj
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 HALF = {d: S.Half, T: S.One, b: S.One}
 TIP = HALF | {line.lhs: line.rhs.subs(HALF) for line in STATEMENTS["eq11"].printed}
-GAINS = half_late(Rational(17, 10))
 
 
 def derive(page):
@@ -41,9 +32,7 @@ def derive(page):
         "$2\\tan\\frac\\pi6=1.1547$ there",
     )
     page.figure(
-        "fig5",
-        "Fig. 5 of the paper: the largest stiffness that satisfies (5).",
-        largest_stiffness,
+        "fig5", "Fig. 5 of the paper: the largest stiffness that satisfies (5).", largest_stiffness
     )
     _tips(page)
 

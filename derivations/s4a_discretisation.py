@@ -5,20 +5,15 @@ over one period exactly; sampled once per period it is a transfer function in $z
 with the continuous motion at every sample.
 """
 
-from sympy import Eq, I, Matrix, Ne, Rational, S, diff, exp, eye, sqrt, zeros
+from sympy import Matrix, zeros
 
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import device_claim, late_answer
 from symhaptic.book.lemmas.sampled_points import FREE, SWINGING, fails, shown_at
-from symhaptic.model.passivity import on_circle
 from symhaptic.model.plant import Plant, sampled
-from symhaptic.notation import T, T_s, b, c_1, c_2, c_3, d, function, k, m, omega, s, t, z
-from symhaptic.notation.proposition import whole
+from symhaptic.notation import T_s, function
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.reading import read
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import for_all
 
 CORRECTED = (
     r"\frac{((c_2 + c_3 - 2)z + (c_2 + c_3 - 2e^{-bT/m}))(b^2 - 4km) \br "

@@ -4,21 +4,16 @@ The paper replaces the device by its samples and the delay by $z^{-d}$, and says
 at the sampling instants stays exactly the same. For which forces and which delays?
 """
 
-from sympy import Ne, Rational, S, integrate
+from sympy import integrate
 
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import PROMPT, late_answer
 from symhaptic.book.lemmas.sampled_points import FREE, fails, shown_at
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.plant import normalised
-from symhaptic.notation import T, X, X_d, c, d, delta, gamma, t, z
-from symhaptic.notation.proposition import whole
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import X_d, c
 from symhaptic.paper.propositions.device import WALL
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume
-from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.samples import turns
-from symhaptic.proof.theorems.tactics import closed, for_all, positive
 
 
 def derive(page):

@@ -4,42 +4,14 @@ Seven physical parameters describe the loop. Measured in units of the moving mas
 sampling period, two of them disappear.
 """
 
-from sympy import Eq, Function, Ne, Poly, S, exp
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import definitions, renamed
 from symhaptic.book.lemmas.sampled import device_claim
 from symhaptic.book.lemmas.sampled_points import CRITICAL, SWINGING, UNHELD, fails, shown_at
 from symhaptic.model import plant, wall
-from symhaptic.model.parts import FULL, Parts
+from symhaptic.model.parts import FULL
 from symhaptic.model.plant import Plant, sampled
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    a,
-    alpha,
-    b,
-    beta,
-    c_1,
-    c_2,
-    c_3,
-    d,
-    delta,
-    e,
-    gamma,
-    k,
-    m,
-    n_0,
-    n_1,
-    s,
-    t_d,
-    z,
-)
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, conj
-from symhaptic.proof.theorems.tactics import closed, for_all, positive
 
 
 def derive(page):

@@ -4,15 +4,12 @@ The loop has seven physical parameters. Their units decide how many of them can 
 choice of units, and how many numbers must remain.
 """
 
-from sympy import Integer, Matrix, Symbol, zeros
+from sympy import Matrix, zeros
 
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.units import SEVEN, in_own_units, scaled_wall
 from symhaptic.notation import SYMBOLS, TABLE_I
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.reading import read
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, conj
-from symhaptic.proof.theorems.tactics import example, for_all
 
 
 def derive(page):

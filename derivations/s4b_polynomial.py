@@ -4,29 +4,13 @@ The sampled device and the delayed wall are closed to a loop. Its poles are the 
 polynomial, and its form should not break down for the devices that one meets.
 """
 
-from functools import cache
-
-from sympy import Eq, Ne, S, exp, sqrt, symbols
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import loop_claim
 from symhaptic.book.lemmas.sampled_points import CRITICAL, SWINGING, UNHELD, fails, shown_at
 from symhaptic.model import loop, plant, wall
 from symhaptic.model.parts import FULL
-from symhaptic.notation import (
-    alpha,
-    beta,
-    c_1,
-    c_2,
-    c_3,
-    d,
-    delta,
-    function,
-    gamma,
-    z,
-)
-from symhaptic.notation.proposition import whole
+from symhaptic.notation import c_2, c_3, function
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import WALL
 
 

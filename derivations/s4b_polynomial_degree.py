@@ -4,41 +4,15 @@ The polynomial of the loop was derived in units of the mass and the period. We d
 in physical units, and count its powers of $z$.
 """
 
-from sympy import Ne, S, exp, pi
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled_points import answered, completed
 from symhaptic.book.lemmas.units import same_loop
 from symhaptic.model import loop, plant, wall
 from symhaptic.model.parts import FULL
 from symhaptic.model.plant import Plant, sampled
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    X,
-    X_d,
-    alpha,
-    b,
-    beta,
-    c_1,
-    c_2,
-    c_3,
-    d,
-    delta,
-    gamma,
-    k,
-    m,
-    t_d,
-    z,
-)
-from symhaptic.notation.proposition import whole
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import X_d, b, c_2, c_3
 from symhaptic.paper.propositions.device import SECOND
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume
-from symhaptic.proof.theorems.leaves import is_whole
 from symhaptic.proof.theorems.roots import degree, not_of_degree
-from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all, positive
 
 
 def derive(page):

@@ -4,11 +4,9 @@ A loop without spring, damper, virtual damping or delay has a smaller polynomial
 is derived without the missing part, and shown to be what the larger one tends to.
 """
 
-from sympy import I, S, cos, exp, symbols
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import loop, plant
-from symhaptic.model.parts import ALL, Parts
-from symhaptic.notation import Omega, alpha, beta, c, d, delta, gamma, z
+from symhaptic.model.parts import ALL
 
 
 def derive(page):

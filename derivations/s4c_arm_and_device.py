@@ -5,26 +5,12 @@ damping counts alone. We look for bounds of $\gamma$ and $\delta$ that ask for t
 device separately.
 """
 
-from sympy import Eq, Poly, S
-
 from symhaptic.book.lemmas.arm import PLAIN, WHOLE, bounds, limits, numbers, p, weighted
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.plant import Plant
-from symhaptic.notation import T, b_D, b_H, delta, gamma, k_H, m_D, m_H, s
-from symhaptic.notation.proposition import Relation, both, negated, proposition
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.propositions.arm import ARM, GIVEN, x, y, y_D, y_H
+from symhaptic.paper.propositions.arm import ARM, GIVEN, y_D, y_H
 from symhaptic.paper.reading import read
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, conj
-from symhaptic.proof.theorems.tactics import (
-    counterexample,
-    every,
-    example,
-    fact,
-    for_all,
-    not_all,
-)
 
 
 def derive(page):
@@ -132,8 +118,7 @@ def _limits(page):
     claim = CLAIMED["s4c-independent-limits"](())
     symbols, given, _ = taken_apart(claim)
     found = page.lemma(
-        "Limits for the arm and for the device, each on its own, are enough",
-        conj(*limits(claim)),
+        "Limits for the arm and for the device, each on its own, are enough", conj(*limits(claim))
     )
     page.settle(
         "s4c-independent-limits",

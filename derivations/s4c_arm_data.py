@@ -4,20 +4,9 @@ Table II of the paper lists eleven arms from eleven articles. The articles are n
 what the numbers say of themselves can be checked: ratios, damping, and units that were converted.
 """
 
-from sympy import Ne, Rational, S, pi, sqrt
-
-from symhaptic.notation.proposition import Relation
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.arm import k_1, k_2
 from symhaptic.paper.tables import EXCLUDED, TABLE_II
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    add_assum,
-    assume,
-    conj,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import closed, example, fact, for_all, one, over, positive
 
 POUND, GRAVITY, INCH = Rational("0.45359237"), Rational("9.80665"), Rational("0.0254")
 """kg, m/s^2 and m, exact by their international definitions."""

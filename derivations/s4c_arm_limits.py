@@ -4,16 +4,13 @@ The paper takes the largest ratios of Table II and adds the damping of a device.
 numbers in exact fractions.
 """
 
-from sympy import Le, Lt, Rational, S, ceiling
+from sympy import Le, Lt, ceiling
 
 from symhaptic.book.lemmas.arm import in_seconds, within
-from symhaptic.notation import T, b_D, b_H, delta, gamma, k_H, m_D, m_H, second
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import second
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.tables import DEVICE_RATIO, EXCLUDED, TABLE_II
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conj
-from symhaptic.proof.theorems.tactics import example, for_all
 
 RATIOS = {
     row.authors: [Rational(r) / Rational(row.mass) for r in (row.stiffness, row.damping)]

@@ -4,25 +4,13 @@ The paper says by roughly 30 %, and by 30 % in the caption of Fig. 6. It also ta
 most 1 ms. Both numbers are checked, and for which periods the ranges are enough.
 """
 
-from sympy import Rational, ceiling, sqrt
+from sympy import ceiling
 
 from symhaptic.book.figures.arm import arms
 from symhaptic.book.lemmas.arm import in_numbers
-from symhaptic.notation import T, delta, gamma
-from symhaptic.notation.proposition import negated
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.arm import LONGEST, extended
 from symhaptic.paper.tables import DEVICE_RATIO, EXCLUDED, TABLE_II
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conj
-from symhaptic.proof.theorems.tactics import (
-    counterexample,
-    example,
-    fact,
-    for_all,
-    not_all,
-    positive,
-)
 
 STIFFNESS, DAMPING = Rational(710), Rational("15.225")
 """Limits (22) over T^2 and T, in 1/s^2 and 1/s."""
@@ -112,10 +100,7 @@ def periods(page):
     short, period = T <= LONGEST, T > 0
     spare = LONGEST - STIFFNESS * LONGEST**2
     inside = positive(
-        STIFFNESS * T**2 < LONGEST,
-        [spare],
-        [STIFFNESS, short, period],
-        [STIFFNESS, LONGEST, short],
+        STIFFNESS * T**2 < LONGEST, [spare], [STIFFNESS, short, period], [STIFFNESS, LONGEST, short]
     )
     page.lemma("The range (23) covers the stiffness of (22)", inside)
     spare = 20 * LONGEST - DAMPING * LONGEST
@@ -125,10 +110,7 @@ def periods(page):
     )
     page.enclosed(
         "The ranges cover periods up to these, in milliseconds",
-        [
-            ("T_{\\gamma}", sqrt(LONGEST / STIFFNESS) * 1000),
-            ("T_{\\delta}", 20 / DAMPING),
-        ],
+        [("T_{\\gamma}", sqrt(LONGEST / STIFFNESS) * 1000), ("T_{\\delta}", 20 / DAMPING)],
         because="for slower sampling (23) leaves arms of Table II out, the stiffest first",
         places=6,
     )

@@ -5,8 +5,16 @@ the areas of the regions without delay.
 """
 
 from symhaptic.book.lemmas.areas import damper_adds, mass_adds
-from symhaptic.book.lemmas.spring_adds import spring_adds
+from symhaptic.book.lemmas.outpaced import at_point
+from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.lemmas.spring_box import HIGH, LOW, PRIMED, THIN, WIDE, L, bounds
+from symhaptic.book.lemmas.stability import by_inequalities
+from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known
+from symhaptic.paper.propositions.areas import ENDS, moved_by_the_spring
+from symhaptic.proof import box
 from symhaptic.proof.theorems.kernel import conj
+from symhaptic.proof.theorems.leaves import on_box as on_plain_box
 
 
 def derive(page):
@@ -38,3 +46,126 @@ def derive(page):
         "damper inside (23); the mass doubled, for the arm of Figs. 11 and 12. A single wall can "
         "be lost (s4d-all-stabilising)",
     )
+
+
+# Without delay the region with a spring holds a copy of the one without, moved to the left.
+#
+# With L = 1 - e each of Jury's inequalities gains by the spring, on a box that holds all walls.
+# The devices' numbers are known to a part in a million, so that their difference is known, too.
+
+NEAR = Rational(5, 10**7)
+"""So near are n_1 and n_0 to their series in L, less gamma/24."""
+SERIES = {n_1: S.Half - L / 6 - L**2 / 24, n_0: S.Half - L / 3 - L**2 / 24}
+FREE = dict(zip(SERIES, sp.symbols("p_1 p_0"), strict=True))
+SPRUNG = dict(zip(SERIES, sp.symbols("q_1 q_0"), strict=True))
+"""What the numbers are more than that, without the spring and with it."""
+BOX = {
+    **{alpha: (S.Zero, WIDE), beta: (LOW, HIGH), L: THIN[L]},
+    **dict.fromkeys((*FREE.values(), *SPRUNG.values()), (-NEAR, NEAR)),
+}
+NAMED = {
+    **{n: SERIES[n] + FREE[n] for n in SERIES},
+    **{PRIMED[n]: SERIES[n] - STIFF / 24 + SPRUNG[n] for n in SERIES},
+    e: 1 - L,
+}
+"""The devices' numbers by the symbols of the box."""
+
+
+class Both:
+    """The devices without and with a spring, of the same damping, and a wall of the first."""
+
+    def __init__(self, damper: Expr) -> None:
+        self.free = {gamma: S.Zero, delta: damper}
+        self.sprung = {gamma: STIFF, delta: damper, **PRIMED}
+        static = of_device("device at rest", assume(DEVICE))
+        loss = of_device("device's loss", assume(DEVICE))
+        self.static, self.static_sprung = inst(static, self.free), inst(static, self.sprung)
+        self.same = combined(
+            Eq(e, PRIMED[e]), [inst(loss, self.free)], [inst(loss, self.sprung), -S.One]
+        )
+        self.places: dict[Symbol, Expr] = {L: 1 - e}
+        self.known = self._known()
+
+    def of(self, expr: Expr, device: dict[Symbol, Expr]) -> Theorem:
+        """0 < f of one of the devices."""
+        found = at_point(expr, {s: (device[s], device[s]) for s in RANGES})
+        return inst(found, device)
+
+    def _known(self) -> list[Theorem]:
+        """That wall and devices lie in the box."""
+        self.wall = {n: numbers_known(inst(t, self.free)) for n, t in bounds().items()}
+        known = [
+            positive(alpha >= 0, [self.wall["right"]]),
+            positive(alpha <= WIDE, [self.wall["left"]]),
+            positive(beta >= LOW, [self.wall["up"]]),
+            positive(beta <= HIGH, [self.wall["down"]]),
+            combined(1 - e >= THIN[L][0], [self.of(1 - e - THIN[L][0], self.free)]),
+            combined(1 - e <= THIN[L][1], [self.of(THIN[L][1] - 1 + e, self.free)]),
+        ]
+        for number, series in SERIES.items():
+            more = number - series.xreplace({L: 1 - e})
+            other = more + STIFF / 24
+            # the series is the same, as e = e'
+            after = other.xreplace({number: PRIMED[number]})
+            share = sp.cancel((other.xreplace(PRIMED) - after) / (e - PRIMED[e]))
+            self.places |= {FREE[number]: more, SPRUNG[number]: after}
+            known += [
+                combined(more <= NEAR, [self.of(NEAR - more, self.free)]),
+                combined(more >= -NEAR, [self.of(NEAR + more, self.free)]),
+                combined(after <= NEAR, [self.of(NEAR - other, self.sprung)], [-share, self.same]),
+                combined(after >= -NEAR, [self.of(NEAR + other, self.sprung)], [share, self.same]),
+            ]
+        return known
+
+    def gains(self, expr: Expr) -> Theorem:
+        """0 < f of the wall and the devices, by balls."""
+        used = sp.expand(expr.xreplace(NAMED))
+        ends = {s: BOX[s] for s in BOX if s in used.free_symbols}
+        certificate: Any = box.positive(used, ends)
+        return closed(inst(on_plain_box(certificate), self.places), *self.known)
+
+    def inequality(self, goal: Any, before: Theorem | None) -> Theorem:
+        """One of Jury's of the moved wall, by how much more it is than ``before``."""
+        given = [] if before is None else [inst(before, self.free)]
+        rest = goal.right - sum(t.conclusion.right for t in given)
+        here, there = (rest.expand().coeff(n) for n in (a, PRIMED[a]))
+        total = PRIMED[n_1] + PRIMED[n_0]
+        rest = rest.xreplace({a: 1 + e, PRIMED[a]: 1 + PRIMED[e] - STIFF * total})
+        gain = rest.xreplace({PRIMED[e]: e})
+        share = sp.cancel((rest - gain) / (e - PRIMED[e]))
+        return combined(
+            goal,
+            *([t] for t in given),
+            [self.gains(gain)],
+            [here, self.static],
+            [there, self.static_sprung],
+            [-share, self.same],
+        )
+
+    def stable(self) -> Theorem:
+        """The moved wall is stable with the spring."""
+        loop = inst(by_inequalities(0), {alpha: alpha - STIFF, **self.sprung})
+        first, *others = conjuncts(loop.conclusion.of[1])
+        total = self.of(n_1 + n_0, self.sprung)
+        shown = [combined(first, [self.wall["right"], total], [self.static_sprung, -S.One])]
+        known = inequalities(0)[1:]
+        # the third is far from zero, and gains nothing
+        befores = (known[0], None, known[2])
+        for goal, before in zip(others, befores, strict=True):
+            shown.append(self.inequality(goal, before))
+        found = mp(loop, conj(*shown))
+        for device in (self.sprung, self.free):
+            names = tuple(device.get(n, n) for n in NUMBERS)
+            found = choose(device_exists(device[gamma], device[delta], names), found)
+        return numbers_known(found)
+
+
+@cache
+def spring_adds() -> Theorem:
+    """The moved wall of every stable one is stable with the spring, for both dampings."""
+    claim: Any = moved_by_the_spring()
+    found = []
+    for part, damper in zip(claim.of, ENDS, strict=True):
+        symbols, given, _ = taken_apart(part)
+        found.append(for_all(symbols, given, add_assum(Both(damper).stable(), *given)))
+    return conj(*found)

@@ -5,18 +5,11 @@ criteria grow with the delay. But the characteristic polynomial is affine in $\a
 and that is enough: on the unit circle one complex equation fixes both.
 """
 
-from sympy import S, cos, sin, tan
-
 from symhaptic.book.figures.arguments import crossing
 from symhaptic.book.lemmas.boundary import numerator_on_circle, zero_on_circle_is_explicit
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, plant
-from symhaptic.model.parts import Parts
-from symhaptic.model.passivity import on_circle
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, theta, z
 from symhaptic.paper.propositions.stability import explicit, on_boundary
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import every, example, for_all
 
 
 def derive(page):

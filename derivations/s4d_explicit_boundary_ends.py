@@ -4,17 +4,12 @@ The boundary runs through the angles $0<\theta<\pi$. We ask for its two ends, fo
 which it starts, and how it lies there against the line $\beta+\delta=\alpha(d+\tfrac12)$ of (25).
 """
 
-from sympy import I, Rational, S, cosh, exp, pi, sinh, sqrt, symbols
-
-from symhaptic.book.lemmas.cotangent import cotangent_exceeds
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, plant
-from symhaptic.model.parts import FULL, Parts
-from symhaptic.model.passivity import on_circle
-from symhaptic.notation import alpha, beta, c, d, delta, gamma, h, nu, s_1, s_2, theta, z
+from symhaptic.model.parts import FULL
 from symhaptic.proof.enclosed import value as enclosed
-from symhaptic.proof.theorems.familiar import device_static
-from symhaptic.proof.theorems.kernel import assume
+from symhaptic.proof.theorems.analysis import grows
 
 E, N_1, N_0 = symbols("e n_1 n_0")
 TOTAL = N_1 + N_0
@@ -148,8 +143,7 @@ def gap(page):
     )
     corner = {gamma: Rational(1, 1000), delta: Rational(1, 50), c: sqrt(-Rational(9, 2500))}
     page.enclosed(
-        "At the corner of (23) the distance is enclosed",
-        [("g", enclosed(below.subs(corner)))],
+        "At the corner of (23) the distance is enclosed", [("g", enclosed(below.subs(corner)))]
     )
 
 
@@ -170,3 +164,20 @@ def nyquist(page):
         (1 + a + E) / (N_1 - N_0),
         name=r"(-1)^d(\alpha(\theta)+2\beta(\theta))",
     )
+
+
+# The hyperbolic cotangent of half a number exceeds two over the number.
+
+
+def cotangent_exceeds() -> Theorem:
+    """0 < coth(delta/2) - 2/delta for 0 < delta, as t cosh(t/2) - 2 sinh(t/2) rises from 0."""
+    half = positive(t / 2 > 0, [Rational(1, 2), t > 0])
+    sine = closed(rising(sinh, S.Zero, t / 2), half)
+    rest = t * cosh(t / 2) - 2 * sinh(t / 2)
+    slope = positive(diff(rest, t) > 0, [Rational(1, 2), t > 0, sine])
+    above = positive(rest.subs(t, delta) > 0, [grows(rest, t, S.Zero, delta, slope)])
+    sine = inst(sine, {t: delta})
+    below = positive(delta * sinh(delta / 2) > 0, [delta > 0, sine])
+    apart = positive(Ne(sinh(delta / 2), 0), [sine]), positive(Ne(delta, 0), delta > 0)
+    excess = cosh(delta / 2) / sinh(delta / 2) - 2 / delta
+    return closed(over(excess > 0, above, below), *apart)

@@ -6,12 +6,8 @@ their signs, for every arm that swings by less than half a turn in a period,
 $\gamma-\frac14\delta^2<\pi^2$: the limit (30) of the paper.
 """
 
-from sympy import S
-
 from symhaptic.book.lemmas.arm_numbers import ARM, gap, mass, pushed, share, signs
-from symhaptic.notation import a, delta, e, gamma, n_0, n_1
-from symhaptic.proof.theorems.kernel import add_assum, conj
-from symhaptic.proof.theorems.tactics import every, example, for_all
+from symhaptic.book.lemmas.prelude import *
 
 
 def derive(page):

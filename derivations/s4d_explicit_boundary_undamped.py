@@ -4,11 +4,8 @@ A mass with a spring swings for ever, and its boundary is as short as that of a 
 where the boundary goes when $n_1=n_0$ and the line of a root at $-1$ is gone.
 """
 
-from sympy import I, Rational, S, Symbol, cos, pi, sin, tan
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, plant
-from symhaptic.model.parts import Parts
-from symhaptic.notation import Omega, d, gamma, theta, x
 
 ANGLE = (d + 1) * theta
 SPRING = Symbol("g")

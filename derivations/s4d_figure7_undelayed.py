@@ -5,16 +5,11 @@ $\gamma\le0.001$ and $\delta\le0.02$. The spring moves the left bound; we ask ho
 rest.
 """
 
-from sympy import S, cos, symbols
-
 from symhaptic.book.figures.stability import undelayed
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.springs_alike import line_and_curve, springs_alike
 from symhaptic.model import boundary, plant
-from symhaptic.notation import a, beta, d, delta, e, gamma, n_0, n_1, theta
 from symhaptic.paper.propositions.plots import CURVE, OTHER
-from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.kernel import conj
-from symhaptic.proof.theorems.tactics import example
 
 
 def derive(page):

@@ -5,17 +5,14 @@ damping. The spring moves the left bound by $\gamma\le0.001$, as it does without
 region around it is smaller. How much?
 """
 
-from sympy import S
-
 from symhaptic.book.figures.stability import delayed
 from symhaptic.book.lemmas.boundary import zero_on_circle_is_explicit
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.figure9 import NEAR, drawn, right_of_the_line
 from symhaptic.book.lemmas.near_tip import none_above
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.paper.propositions.plots import THIN
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 
 def derive(page):
@@ -73,8 +70,4 @@ def derive(page):
         because="on the way between two walls the zeros are continuous, and none crosses the "
         "circle; for every plant and every whole delay",
     )
-    page.settle(
-        "fig9",
-        drawn(),
-        note="for $d=2$ the spring takes over a percent of the width",
-    )
+    page.settle("fig9", drawn(), note="for $d=2$ the spring takes over a percent of the width")

@@ -5,21 +5,12 @@ is known in closed form. We show that the first arc, $0<(d+1)\theta<\pi/2$, and 
 enclose the stable walls, all of them and nothing else.
 """
 
-from sympy import Eq, I, Ne, Rational, cos, cot, diff, exp, sin, tan
-
 from symhaptic.book.figures.passivity import free_mass
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, loop, plant
-from symhaptic.model.parts import Parts
-from symhaptic.model.passivity import on_circle, real_part
-from symhaptic.notation import alpha, beta, d, tau, theta, x, y, z
-from symhaptic.proof.theorems.familiar import square
-from symhaptic.proof.theorems.kernel import assume
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, over, positive, sine_of_half
 
 FREE = Parts(stiffness=False, damping=False)
 ANGLE = (d + 1) * theta
-HALF = Rational(1, 2)
 BENT = (1 + 2 * cos(theta / 2) ** 2) / sin(theta / 2) ** 4
 CURVATURE = (d + 1) ** 2 * cos(ANGLE) + alpha * BENT / 8
 
@@ -117,12 +108,7 @@ def necessary(page, polynomial):
         "vanishes where $h=\\cos(d+1)\\theta-\\frac\\alpha4\\cot^2\\frac\\theta2$ does."
     )
     level = cos(ANGLE) - alpha / 4 * cot(theta / 2) ** 2
-    page.step(
-        "The function $h$ has this curvature",
-        -diff(level, theta, 2),
-        CURVATURE,
-        name="-h''",
-    )
+    page.step("The function $h$ has this curvature", -diff(level, theta, 2), CURVATURE, name="-h''")
     page.lemma(
         "The curvature of $h$ has one sign where $\\cos(d+1)\\theta$ is not negative",
         concave(),

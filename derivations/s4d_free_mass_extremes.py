@@ -4,17 +4,13 @@ The stable walls of a free mass lie between the line $\alpha=0$ and the first ar
 $0<(d+1)\theta\le\pi/2$. On it we look for the largest stiffness and the largest damping.
 """
 
-from sympy import Ne, Rational, S, Symbol, chebyshevt, cos, diff, pi, sin, sqrt, tan
+from sympy import chebyshevt
 
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, plant
-from symhaptic.model.parts import Parts
-from symhaptic.notation import d, rho, tau, theta, x
-from symhaptic.notation.proposition import Relation
+from symhaptic.notation import rho
 from symhaptic.proof import roots
 from symhaptic.proof.enclosed import value
-from symhaptic.proof.theorems.familiar import both_ways, ordered, sign_of
-from symhaptic.proof.theorems.kernel import assume, disj_cases, subst
-from symhaptic.proof.theorems.tactics import closed, fact, over, positive, sine_of_half
 
 ANGLE = (d + 1) * theta
 TANGENT, BRACKET = tan(theta / 2), Symbol("g")

@@ -5,17 +5,12 @@ $\pi/2$, and $h=1/(d+1)$. We look for what $(d+1)^2\alpha_{\max}$ tends to for l
 fast, and on which side it stays.
 """
 
-from sympy import Ne, Rational, S, cos, diff, pi, sin, tan
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, plant
-from symhaptic.model.parts import Parts
-from symhaptic.notation import alpha, chi, d, h, phi, psi, theta
-from symhaptic.notation.proposition import Relation
+from symhaptic.notation import chi
 from symhaptic.proof.enclosed import value
 from symhaptic.proof.roots import zero
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import sign_of
-from symhaptic.proof.theorems.tactics import closed, fact, over, positive
 
 LONG, CHORD = phi**2 * cos(phi), 2 * psi - sin(2 * psi)
 AT = r"at $\varphi=\varphi_*$"

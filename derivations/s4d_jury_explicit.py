@@ -5,15 +5,11 @@ linear in $\alpha$, so that its boundary can be solved with any spring. Without 
 formula is enough, and we show for which devices.
 """
 
-from sympy import Eq, S, exp
-
 from symhaptic.book.lemmas.damped_mass import signs, stable_damped_mass
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import collected, free_by_inequalities
 from symhaptic.model import jury, plant
-from symhaptic.model.parts import FULL, Parts
-from symhaptic.notation import B, K, T, a, alpha, b, beta, c, delta, e, gamma, m, n_0, n_1, z
-from symhaptic.proof.theorems.kernel import assume, conj
-from symhaptic.proof.theorems.leaves import combined
+from symhaptic.model.parts import FULL
 
 DAMPED = plant.sampled(plant.normalised(Parts(stiffness=False)))
 NUMBERS = {n_1: DAMPED.n1, n_0: DAMPED.n0, e: DAMPED.e}

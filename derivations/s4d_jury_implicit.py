@@ -5,18 +5,11 @@ device, and find that it is quadratic in $\alpha$. For longer delays we show tha
 as the boundary whose every point is explicit.
 """
 
-from sympy import Eq, Ne, Rational, S, sqrt
-
 from symhaptic.book.figures.passivity import free_mass_inequalities
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import collected, free_by_inequalities
 from symhaptic.model import boundary, jury
 from symhaptic.model.plant import Sampled
-from symhaptic.notation import a, alpha, beta, d, delta, e, n_0, n_1
-from symhaptic.notation.proposition import Relation, both
-from symhaptic.proof.theorems.familiar import ordered, square
-from symhaptic.proof.theorems.kernel import assume, conj, conjunct, contr, disj_cases, not_intro
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import chained, closed, either_way, over, positive
 
 RISE, PLANE = n_1 + n_0, 4 - alpha - 4 * beta
 

@@ -4,15 +4,10 @@ A wall that pulls harder than the arm's spring holds cannot be stable. We ask wh
 only limit on the left: does the stable region always reach the line $\alpha=-\gamma$?
 """
 
-from sympy import Eq, I, diff, exp, sin
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import loop, plant
-from symhaptic.model.parts import FULL, Parts
-from symhaptic.notation import alpha, beta, c, d, delta, gamma, n_0, n_1, phi, r, t, v, x, z
-from symhaptic.proof.theorems.familiar import device_static
-from symhaptic.proof.theorems.kernel import assume
-from symhaptic.proof.theorems.leaves import combined
+from symhaptic.model.parts import FULL
 
 
 def derive(page):
@@ -57,10 +52,7 @@ def derive(page):
     at_line = loop.characteristic(FULL, split=c).subs({d: 0, alpha: -gamma, beta: 0})
     page.define("A period without a wall leaves this of a unit speed", r, kept)
     page.step(
-        "For $d=0$ the roots are 0, 1 and a speed",
-        at_line,
-        z * (z - 1) * (z - r),
-        name="p_1(z)",
+        "For $d=0$ the roots are 0, 1 and a speed", at_line, z * (z - 1) * (z - r), name="p_1(z)"
     )
     page.step(
         "The energy of that motion falls",

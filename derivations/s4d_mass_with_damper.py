@@ -4,15 +4,11 @@ Without spring and delay, $\gamma=0$ and $d=0$, the loop is a cubic and its stab
 take the largest stiffness from it in closed form, and a bound of the damping.
 """
 
-from sympy import Rational, S, sqrt, symbols
-
 from symhaptic.book.lemmas.damped_mass import signs
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.undelayed_tip import all_softer, none_stiffer
 from symhaptic.model import boundary, plant
-from symhaptic.model.parts import Parts
-from symhaptic.notation import alpha, beta, delta, gamma, s, w, z
-from symhaptic.proof.theorems.kernel import conj, inst
 
 E, N_1, N_0 = symbols("e n_1 n_0")
 TOTAL, APART = N_1 + N_0, N_1 - N_0

@@ -4,8 +4,6 @@ With a stronger damper a wall should not lose its stability. For arms inside the
 and without delay that is so; for stiffer springs it is false.
 """
 
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.more_damped import (
     grown,
     grows,
@@ -13,12 +11,8 @@ from symhaptic.book.lemmas.more_damped import (
     minor_rises,
     more_damped_is_stable,
 )
-from symhaptic.notation import alpha, beta, delta, gamma
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.stability import HEAVIER, damping_can_destabilise
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import example, for_all
 
 
 def derive(page):

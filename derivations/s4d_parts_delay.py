@@ -5,17 +5,11 @@ the device, the boundary begins lower with every period of delay, so that there 
 a delay makes stable.
 """
 
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.boundary import CORNER, begins, begins_there
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.notation.proposition import both
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import LATER
-from symhaptic.proof.theorems.kernel import conj
-from symhaptic.proof.theorems.tactics import counterexample, every, example, for_all
 
 
 def derive(page):

@@ -8,28 +8,13 @@ that certified balls isolate. Without delay it can be done by hand: of
 $z^3+a_2z^2+a_1z+a_0$ it is Jury's inequality $1-a_0^2>|a_1-a_0a_2|$ that decides.
 """
 
-from sympy import Rational, S, cos
-
 from symhaptic.book.lemmas.passive_is_stable import EVERY_MARGIN, LOOP, MARGIN, passive_is_stable
 from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.book.lemmas.walls import divisors
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m, theta
-from symhaptic.notation.proposition import whole
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import MORE
-from symhaptic.proof.theorems.familiar import bounded, square
-from symhaptic.proof.theorems.kernel import conjunct
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import (
-    closed,
-    counterexample,
-    every,
-    example,
-    for_all,
-    positive,
-)
 
 
 def derive(page):
@@ -71,8 +56,7 @@ def derive(page):
     }
     heavy = {symbol: value if symbol == d else value / 2 for symbol, value in light.items()}
     steady = page.lemma(
-        "With the mass $m$ the wall $\\frac9{800}$, $-\\frac{13}{4000}$ is stable",
-        stable_at(light),
+        "With the mass $m$ the wall $\\frac9{800}$, $-\\frac{13}{4000}$ is stable", stable_at(light)
     )
     falls = page.lemma("With twice the mass the same wall is not stable", unstable_at(heavy))
     page.say(

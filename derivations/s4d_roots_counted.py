@@ -6,15 +6,8 @@ half the unit circle. It is a sum of two parts, one of the plant and one of the 
 them is larger, the sum turns with it.
 """
 
-from sympy import I, cos, exp, pi, sin, symbols
-
 from symhaptic.book.figures.arguments import half_circle
-from symhaptic.model.passivity import on_circle
-from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, phi, theta, z
-from symhaptic.notation.proposition import Iff, Relation
-from symhaptic.proof.theorems.kernel import assume
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import either_way, every, for_all
+from symhaptic.book.lemmas.prelude import *
 
 
 def derive(page):

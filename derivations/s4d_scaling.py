@@ -6,19 +6,14 @@ as well, the loop stays the same. If they are kept it does not, and a damped mas
 and delay, $\gamma=0$ and $d=0$, shows by how much. More theorems are in \chapter{s4d_scaling_kept}.
 """
 
-from sympy import Ne, Rational, S
-
 from symhaptic.book.lemmas.near_tip import none_above
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.scaling import with_the_mass, with_the_rate
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.model import boundary, plant
-from symhaptic.model.parts import Parts
-from symhaptic.notation import alpha, beta, d, delta, gamma, m, y
 from symhaptic.paper.propositions.stability import HEAVY, STIFFER, STRONGER
 from symhaptic.proof.enclosed import value
-from symhaptic.proof.theorems.kernel import inst
-from symhaptic.proof.theorems.tactics import closed, positive
 
 ARM = plant.sampled(plant.normalised(Parts(stiffness=False)))
 BEFORE, AFTER = Rational(1, 50), Rational(1, 100)

@@ -5,9 +5,8 @@ the same. With one damper and one spring they do not, unless there is neither. O
 (23) shows that neither can be kept.
 """
 
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.passive_is_stable import LOOP
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.scaling import (
     KEPT,
     NOTHING,
@@ -20,12 +19,7 @@ from symhaptic.book.lemmas.scaling import (
     none_as_stiff,
 )
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.notation import B, K, T, alpha, b, beta, d, k, m
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import HEAVY, SOON, STIFFER, STRONGER
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume, exists, mp, not_intro
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 DAMPED, SPRUNG = Rational(1, 50), Rational(1, 1000)
 """delta and gamma within (23); at half the period they are 1/100 and 1/4000."""

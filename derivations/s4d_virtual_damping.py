@@ -4,19 +4,12 @@ A physical damper only takes energy. The virtual one acts on the mean speed of t
 and is held for the next. We look for a bound that no stable wall can exceed.
 """
 
-from sympy import Rational, S
-
-from symhaptic.book.lemmas.damping_bound import bounded_damping
+from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.model import loop
-from symhaptic.notation import alpha, beta, d, delta, gamma, n_0, z
+from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import AFTER, lost_by_damping
-from symhaptic.proof.theorems.kernel import (
-    add_assum,
-    conj,
-    exists,
-)
-from symhaptic.proof.theorems.tactics import fact, for_all
 
 ARM = {gamma: Rational(1, 1000), delta: Rational(1, 50), alpha: Rational(1, 20)}
 """The largest spring and damper of (23)."""
@@ -74,3 +67,114 @@ def _lost():
     known = {t.conclusion: t for t in (stable_at(little), unstable_at(much))}
     there = [part.at(values) for part in wanted.body.parts]
     return exists(conj(*(known.get(p) or fact(p) for p in there)), wanted, values)
+
+
+# No stable wall has more virtual damping than a bound, whatever its stiffness and the delay.
+
+OVER, LESS, FEWER = sp.symbols("p q r")
+"""d = p/(s + 1), and q = p - 1."""
+
+
+@cache
+def none_or_more() -> Theorem:
+    """p = 0 or p - 1 is whole, for whole p."""
+    none, more = Relation(OVER, "=", S.Zero), whole(OVER - 1)
+    claim = Or((none, more))
+    start = disj(identity(S.Zero, S.Zero), claim.at({OVER: S.Zero}))
+    following = claim.at({OVER: OVER + 1})
+    step = disj(is_whole(OVER, assume(whole(OVER))), following)
+    return induction(claim, OVER, start, disch(step, whole(OVER), claim))
+
+
+LATE = loop_late(NUMBERS, LOOP, (OVER, LESS))
+"""A stable loop has a delay of p/(s + 1) periods."""
+
+ZEROS = LATE.conclusion.of[1].body.of[-1]
+BOUND = Exists((x,), every((alpha, beta), [STABLE], beta < x))
+"""One bound of beta for all walls of a device and a delay."""
+
+
+@cache
+def bounded_damping() -> Theorem:
+    """Every stable wall has beta < x, with one x for all of a device, under 0 <= d."""
+    either = disj_cases(
+        ordered(n_0, S.Zero),
+        _by_the_product(-n_0),
+        disj_cases(ordered(S.Zero, n_0), _by_the_product(n_0), _without_a_last_number()),
+    )
+    return choose(device_exists(gamma, delta, NUMBERS), either)
+
+
+def _by_the_product(size: Expr) -> Theorem:
+    """n_0 is not 0: beta < 1/|n_0|."""
+    product = _last(assume(ZEROS))
+    signs = [conjunct(product, p) for p in product.conclusion.parts]
+    return _bound(positive(1 - beta * size > 0, [signs[size != n_0]]), size)
+
+
+def _bound(room: Theorem, size: Expr) -> Theorem:
+    """BOUND from 0 < c - beta n for a number 0 < n of the device."""
+    there = positive(size > 0, -size < 0) if size.could_extract_minus_sign() else assume(size > 0)
+    most = sp.expand(room.conclusion.right + beta * size) / size
+    wall = over(beta < most, room, there)
+    walls = for_all((alpha, beta), [STABLE], choose(undisch(LATE), wall))
+    return closed(exists(walls, BOUND, {x: most}), positive(Ne(*size.free_symbols, 0), [there]))
+
+
+@cache
+def _without_a_last_number() -> Theorem:
+    """n_0 = 0: beta < (2 + e^2)/|n_1|, and no wall is stable for n_1 = 0."""
+    return disj_cases(
+        ordered(n_1, S.Zero),
+        _by_the_next(-n_1),
+        disj_cases(ordered(S.Zero, n_1), _by_the_next(n_1), _without_numbers()),
+    )
+
+
+NO_LAST = both_ways(assume(n_0 <= 0), assume(n_0 >= 0))
+NO_FIRST = both_ways(assume(n_1 <= 0), assume(n_1 >= 0))
+
+
+def _last(inside: Theorem, power: Expr = S.Zero) -> Theorem:
+    """The last coefficient, where p, q and s are whole."""
+    return _in_whole(last_coefficient(inside, power))
+
+
+def _in_whole(found: Theorem) -> Theorem:
+    exponents = [
+        h.of[0] for h in found.hypotheses if isinstance(h, Predicate) and h.name == "whole"
+    ]
+    sums = [t for t in exponents if not t.is_Symbol]
+    return closed(found, *(is_whole(t, *(assume(whole(s)) for s in t.free_symbols)) for t in sums))
+
+
+def _zero(claim: Proposition, symbol: Symbol, equation: Theorem) -> Theorem:
+    """The same with 0 for a symbol."""
+    return subst(claim, symbol, assume(claim), equation)
+
+
+def _by_the_next(size: Expr) -> Theorem:
+    """The lowest power of z that is left is z^(s+1)."""
+    inside = _zero(ZEROS, n_0, NO_LAST)
+    claim = inside.conclusion
+    none = prove_hyp(_last(_zero(claim, OVER, assume(sp.Eq(OVER, 0))), LESS + 1), inside)
+    later = _last(assume(claim.at({OVER: FEWER + 1})), LESS + 1)
+    later = prove_hyp(inst(later, {FEWER: OVER - 1}), inside)
+    side, half = size != n_1, S.Half if size == n_1 else -S.Half
+    wanted = 2 + e**2 - beta * size > 0
+    lines = [conjunct(found, found.conclusion.parts[side]) for found in (none, later)]
+    undelayed = positive(wanted, [lines[0]], [square(e - half)], [sp.Rational(3, 4)])
+    delayed = positive(wanted, [lines[1]], [square(e)], [S.One])
+    return _bound(disj_cases(none_or_more(), undelayed, delayed), size)
+
+
+def _without_numbers() -> Theorem:
+    """A device that no held force moves keeps its zero at 1."""
+    first = _zero(ZEROS, n_0, NO_LAST)
+    inside = prove_hyp(_zero(first.conclusion, n_1, NO_FIRST), first)
+    static = device_static(assume(DEVICE))
+    zero = combined(sp.Eq(1 - a + e, 0), [static, 1], [NO_FIRST, gamma], [NO_LAST, gamma])
+    never = _in_whole(zero_on_circle(inside.conclusion.terms[0], z, S.Zero, zero))
+    wall = contr(not_intro(inside, never), beta < 0)
+    walls = for_all((alpha, beta), [STABLE], choose(undisch(LATE), wall))
+    return exists(walls, BOUND, {x: S.Zero})

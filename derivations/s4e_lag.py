@@ -4,19 +4,12 @@ The paper's linear condition comes from continuous time: hold and delay become o
 and the Routh-Hurwitz criterion decides. We repeat that and name everything that is left out.
 """
 
-from sympy import Eq, Rational, S, exp, symbols
-
 from symhaptic.book.lemmas.linear import forbidden, of_the_walls, stable_with_lag
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import lag
 from symhaptic.model.plant import Plant
-from symhaptic.notation import B, K, T, b, k, m, s, t_d, t_e
+from symhaptic.notation import b, t_e
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
-
-HALF = Rational(1, 2)
 
 
 def derive(page):

@@ -4,7 +4,7 @@ Routh's condition for the loop with a lag has one term more than the paper's (24
 sign, in units and in the parameters of Table I, and what the arm's spring does in it.
 """
 
-from sympy import Eq, Rational, S, sympify
+from sympy import sympify
 
 from symhaptic.book.lemmas.linear import (
     forbidden,
@@ -14,18 +14,14 @@ from symhaptic.book.lemmas.linear import (
     spring_is_free,
     undamped_in_units,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import lag
 from symhaptic.model.plant import Plant
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m, t_d, t_e, x
+from symhaptic.notation import b, t_e
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.linear import lagging
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 
-HALF = Rational(1, 2)
 ONES = {m: S.One, T: S.One, t_d: HALF}
 
 

@@ -5,14 +5,10 @@ $\beta+\delta=\alpha(d+\frac12)$ of (25). The exact boundary is known, with its 
 We hold the line against it.
 """
 
-from sympy import Rational, S, cosh, exp, sinh, symbols
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, linear, plant
 from symhaptic.model.parts import FULL
-from symhaptic.model.passivity import on_circle
-from symhaptic.notation import c, d, delta, gamma, h, nu, s_1, s_2, theta, z
 
-HALF = Rational(1, 2)
 G, MU = symbols("g mu")
 
 

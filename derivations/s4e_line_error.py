@@ -4,25 +4,10 @@ The paper compares the boundary's $\alpha$ with the $\alpha_{\text{lin}}$ of the
 $\beta$, in units of $\alpha+\gamma$. We write this error down for the whole boundary.
 """
 
-from sympy import Abs, Rational, cos, sin, symbols
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, lag, linear, plant
-from symhaptic.model.parts import Parts
-from symhaptic.notation import (
-    alpha,
-    alpha_lin,
-    beta,
-    d,
-    delta,
-    gamma,
-    kappa,
-    nu,
-    s_1,
-    s_2,
-    theta,
-)
+from symhaptic.notation import alpha_lin
 
-HALF = Rational(1, 2)
 Y = linear.CHORD
 GAP = linear.GAP
 G, MU, SIGMA = symbols("g mu sigma")

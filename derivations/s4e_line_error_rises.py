@@ -4,18 +4,12 @@ It starts with a negative value, or without bound, and is zero where the boundar
 We show that it rises as long as the virtual damping is not positive, and is below 2 per cent there.
 """
 
-from sympy import Rational
-
 from symhaptic.book.lemmas.linear_boundary import AT_REST, TOTAL, minor
 from symhaptic.book.lemmas.linear_error import risen
 from symhaptic.book.lemmas.linear_rays import A_1, b_1, bent
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import lag
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, s_1
 from symhaptic.paper.propositions.linear_error import LATER, rises
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.tactics import example, for_all
-
-HALF = Rational(1, 2)
 
 
 def derive(page):

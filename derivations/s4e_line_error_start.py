@@ -4,21 +4,14 @@ The boundary starts on $\alpha=-\gamma$, where the denominator of the error (26)
 marks errors of 0, 2 and 5 per cent only. We take the limit, with and without spring and damping.
 """
 
-from sympy import I, Rational, S, tanh
+from sympy import tanh
 
 from symhaptic.book.lemmas.linear_corner import in_the_corner
 from symhaptic.book.lemmas.linear_start import no_bound, unbounded
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, linear, plant
-from symhaptic.model.parts import Parts
-from symhaptic.model.passivity import on_circle
-from symhaptic.notation import Omega, d, delta, gamma, nu, s_1, s_2, theta, z
 from symhaptic.paper.propositions.linear_error import corner
-from symhaptic.paper.ranges import STIFF
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import example, for_all
 
-HALF = Rational(1, 2)
 GAP = linear.GAP
 
 

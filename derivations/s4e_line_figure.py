@@ -5,14 +5,13 @@ boundary they are zeros of one polynomial of degree two or three, and all of the
 """
 
 from flint import arb
-from sympy import S, expand
 
 from symhaptic.book.figures.linear import DAMPINGS, DELAYS, GAMMA, LEVELS, marks
 from symhaptic.book.figures.linear import linear as draw
 from symhaptic.book.lemmas.figure10 import drawn
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.bounds.linear_points import Arc, apart
 from symhaptic.model import linear
-from symhaptic.notation import delta, gamma, nu, s_1, z
 from symhaptic.proof.roots import rounded
 
 

@@ -4,18 +4,11 @@ For a free mass the line of (25) is the tangent of the boundary at its start, th
 which side of it the stable walls lie, for every delay.
 """
 
-from sympy import Rational, S, cos, sin
-
-from symhaptic.book.lemmas.linear_free_mass import above_the_line, minors, of_a_free_mass
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, plant
-from symhaptic.model.parts import Parts
-from symhaptic.notation import alpha, beta, d, theta
-from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions.linear import of_a_free_mass as claimed
-from symhaptic.proof.theorems.kernel import conj
-from symhaptic.proof.theorems.tactics import example
+from symhaptic.proof.theorems.definitions import loop_substituted
 
-HALF = Rational(1, 2)
 LATE = (d + 1) * theta
 
 
@@ -64,3 +57,45 @@ def derive(page):
         example=example({alpha: S.One, beta: S.One, d: S.Zero}, [whole(d)]),
         note="by what stability needs near $z=1$, for every whole $d$ at once",
     )
+
+
+# The stable walls of a mass alone lie above the line of the linear condition.
+
+
+@cache
+def minors() -> tuple[Theorem, ...]:
+    """0 < alpha, 0 < 2 beta - d alpha and 0 < c_1 c_2 - c_0 c_3 of a stable wall; d is whole."""
+    loop = loop_substituted((alpha, beta, S.Zero, S.Zero, d), z, 1, stiffness=False, damping=False)
+    stable, _ = loop.conclusion.parts
+    found = first_minors(mp(loop, assume(stable)), 2)
+    found = closed(found, *(is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)))
+    return tuple(conjunct(found, claim) for claim in found.conclusion.parts)
+
+
+@cache
+def above_the_line() -> Theorem:
+    """alpha (1/2 + d) < beta for a stable wall of a mass alone; d is whole."""
+    stiff, first, second = minors()
+    late = not_negative(assume(whole(d)))
+    more = positive(d + 1 > 0, [late], [1])
+    slack = positive(2 * beta - d * alpha > 0, [first])
+    eighth = Rational(1, 8)
+    return combined(
+        beta > alpha * (HALF + d),
+        [eighth, second],
+        [eighth, more, slack, slack],
+        [eighth, more, more, slack, stiff],
+        [eighth / 3, more, late, late, stiff, stiff],
+        [eighth / 3, 2, more, late, stiff, stiff],
+    )
+
+
+@cache
+def of_a_free_mass() -> Theorem:
+    """That, and that no wall with alpha (1/2 + d) = beta is stable."""
+    above = above_the_line()
+    stable = next(p for p in above.hypotheses if p != whole(d))
+    border = Eq(beta, alpha * (HALF + d))
+    none = not_intro(above, assume(border), stable)
+    found = conj(disch(above, stable), disch(none, border))
+    return for_all((alpha, beta, d), [whole(d)], found)

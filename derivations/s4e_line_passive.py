@@ -4,22 +4,17 @@ The paper identifies its (24) with the straight part (9) of the passivity bounda
 there to obtain passive walls. We compare the two, and ask what becomes of the arm's damping.
 """
 
-from sympy import Eq, Rational, S, sympify
+from sympy import sympify
 
-from symhaptic.book.lemmas.linear_passive import passive_on_the_line as on_the_line
-from symhaptic.book.lemmas.linear_passive import same_condition
+from symhaptic.book.lemmas.linear_part import passive_below
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS, TO_AND_FRO
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.lemmas.region import DELAY
 from symhaptic.model import lag, linear, passivity
-from symhaptic.notation import B, K, T, alpha, b, b_D, b_H, beta, d, delta, m, t_d, t_e, theta
-from symhaptic.notation.proposition import whole
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import b, t_e
 from symhaptic.paper.propositions.device import normalised
+from symhaptic.paper.propositions.linear import on_or_below_the_line
 from symhaptic.proof.theorems.definitions import gains
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
-
-HALF = Rational(1, 2)
 
 
 def derive(page):
@@ -82,7 +77,9 @@ def derive(page):
 
 def in_its_range(page):
     """Which walls of the line are passive."""
-    page.lemma("For $\\delta=b_DT/m$ the walls on the line or below are passive", on_the_line())
+    page.lemma(
+        "For $\\delta=b_DT/m$ the walls on the line or below are passive", passive_on_the_line()
+    )
     claim = CLAIMED["s4e-passive-range"](())
     symbols, given, passive = taken_apart(claim)
     extra = [whole(d), alpha >= 0, Eq(delta, b_D * T / m)]
@@ -96,7 +93,7 @@ def in_its_range(page):
     more = [*given, *extra]
     page.settle(
         "s4e-passive-range",
-        for_all(symbols, more, add_assum(on_the_line(), *more)),
+        for_all(symbols, more, add_assum(passive_on_the_line(), *more)),
         example=example(easy, more),
         unless=[
             counterexample(
@@ -120,3 +117,48 @@ def in_units(point):
     """A point with its numbers of Table I, of device and arm."""
     rules = [rule.xreplace({b: b_D + b_H}) for rule in normalised(alpha, beta, delta, d)]
     return point | {rule.lhs: sympify(rule.rhs).subs(point) for rule in rules}
+
+
+# The linear condition beside passivity: it is (9), and its walls are passive in a range of B.
+
+
+def same_condition(linear: Any, passive: Any) -> Theorem:
+    """(24) <=> (9), where t_d = d T."""
+    here = DELAY.and_(Eq(t_d, d * T))
+    here.have((d + HALF) * T > 0)
+    here.have(lag.DELAY > 0)
+    room = here.show(b + B - K * (d + HALF) * T > 0, linear)
+    back = here.show(b + B - K * lag.DELAY > 0, passive)
+    there, back = here.show(passive, room), here.show(linear, back)
+    return either_way(there, back, linear, passive)
+
+
+@cache
+def passive_on_the_line() -> Theorem:
+    """A wall with (25), or on its border, is passive: d whole, alpha >= 0 and delta = b_D T/m.
+
+    That is for beta <= delta d/(2d+3).
+    """
+    here = Given(m > 0, T > 0, *normalised(alpha, beta, d), Eq(delta, b_D * T / m))
+    spring, damper = here.have(m / T**2 > 0), here.have(m / T > 0)
+    below = assume(b + B - K * T * (d + HALF) >= 0)
+    found = inst(passive_below(below), {b: b_D})
+    stiff, damped, _ = map(assume, normalised(alpha, beta, d))
+    lossy = assume(Eq(delta, b_D * T / m))
+    pushes = combined(K >= 0, [spring, assume(alpha >= 0)], [stiff, m / T**2])
+    room = combined(
+        b_D + B - K * T * (d + HALF) >= 0,
+        [damper, assume(on_or_below_the_line())],
+        [damped, m / T],
+        [lossy, m / T],
+        [stiff, -m / T * (HALF + d)],
+    )
+    share = d / (2 * d + 3)
+    small = combined(
+        d * b_D / (2 * d + 3) >= B,
+        [damper, assume(d / (2 * d + 3) * delta >= beta)],
+        [damped, -m / T],
+        [lossy, m / T * share],
+    )
+    ahead = here.show(d >= 0, t_d >= 0)
+    return here.closed(closed(found, room, pushes, small), ahead)

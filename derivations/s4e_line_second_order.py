@@ -4,24 +4,13 @@ The paper linearises the boundary around the origin for small $\alpha$. In the l
 periods the line is what all boundaries tend to, for every delay. We ask how far they are from it.
 """
 
-from sympy import S
-
 from symhaptic.book.lemmas.linear_boundary import TOTAL
 from symhaptic.book.lemmas.linear_gap import narrow
 from symhaptic.book.lemmas.linear_rays import A
-from symhaptic.book.lemmas.linear_second_order import (
-    GAP,
-    UNEVEN,
-    linearised,
-    nearly_even,
-    on_line,
-)
+from symhaptic.book.lemmas.linear_second_order import GAP, UNEVEN, linearised, nearly_even, on_line
 from symhaptic.book.lemmas.linear_short_periods import all_tend
-from symhaptic.notation import T, delta, e, gamma, m, n_0, n_1
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.linear_error import short_periods
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.tactics import example, for_all
 
 
 def derive(page):

@@ -4,13 +4,8 @@ We look at the start of the boundary, $\theta\to0$, where $\alpha=-\gamma$: does
 of (25), and does the boundary leave along the line?
 """
 
-from sympy import S
-
 from symhaptic.book.lemmas.linear_tangent import free_mass_only, tangent
-from symhaptic.notation import d, delta, gamma
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import example, for_all
+from symhaptic.book.lemmas.prelude import *
 
 
 def derive(page):

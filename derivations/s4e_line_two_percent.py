@@ -5,22 +5,15 @@ they exist for every damping, since the error has no bound there. This chapter f
 from which on there are such walls with $\alpha\ge0$.
 """
 
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.linear_corner import in_the_corner
 from symhaptic.book.lemmas.linear_gap import narrow
 from symhaptic.book.lemmas.linear_two_percent import on_either_side
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.bounds.linear_points import error_without_stiffness
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.linear_error import THRESHOLD, error, threshold
-from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.proof.ball import ball
 from symhaptic.proof.enclosed import sign_change
 from symhaptic.proof.roots import BITS
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import inst
-from symhaptic.proof.theorems.tactics import closed, example, fact, for_all, positive
 
 HALF, LEVEL = Rational(1, 2), Rational(2, 100)
 

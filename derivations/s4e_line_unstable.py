@@ -4,16 +4,10 @@ The paper says that above its crossing with the boundary the line runs through u
 ask whether there is one crossing only, for every spring and damping of the ranges (23).
 """
 
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.line_crossing import one_crossing, room
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.model import jury, linear
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, s_1, x
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import example, for_all
 
 
 def derive(page):
@@ -43,11 +37,7 @@ def derive(page):
         -n_0 * (n_0 + 3 * n_1) / 4,
         name=r"\tfrac12\,\Delta_2''(\alpha)",
     )
-    page.lemma(
-        "The gap of an arm is not negative",
-        room(),
-        because="$g(n_1+n_0)$, on all of (23)",
-    )
+    page.lemma("The gap of an arm is not negative", room(), because="$g(n_1+n_0)$, on all of (23)")
     page.say(
         "A polynomial that is not negative at the start, is bent downwards and is positive at some "
         "$\\alpha$ is positive at all softer walls of the line. The other inequalities without "

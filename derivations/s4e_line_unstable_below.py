@@ -5,15 +5,10 @@ We ask whether all walls are stable that satisfy (25) and have no more damping t
 inside the ranges (23).
 """
 
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.line_crossing import below_the_crossing
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.notation import alpha, beta, d, delta, gamma, x
 from symhaptic.paper.propositions.linear import safe
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import example, for_all
 
 
 def derive(page):

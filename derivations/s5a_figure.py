@@ -5,8 +5,6 @@ and seven delays, two of them fractions of a period. For whole delays passive wa
 \chapter{s5a_passive_is_stable}. What do the curves for $d=\tfrac14$ and $d=\tfrac12$ say?
 """
 
-from sympy import S, cos
-
 from symhaptic.book.figures.stability import passive_and_stable
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.one_plane import (
@@ -15,9 +13,8 @@ from symhaptic.book.lemmas.one_plane import (
     passive_curve,
     stable_curve,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import boundary, passivity
-from symhaptic.model.passivity import on_circle, real_part
-from symhaptic.notation import B, K, T, a, d, e, n_0, n_1, theta, z
 from symhaptic.paper.propositions.plots import dashed
 
 

@@ -4,28 +4,19 @@ Table I turns $(K,B)$ into $(\alpha,\beta)$. The passive walls can then be drawn
 ones, and only the damping $\delta$ and the delay are left.
 """
 
-from sympy import Eq, Rational, S, pi
-
 from symhaptic.book.lemmas.motions import STEPS, half_late, not_on_boundary
 from symhaptic.book.lemmas.normalised_boundary import above_in_units, in_units
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, m, omega_hat, theta
-from symhaptic.notation.proposition import whole
+from symhaptic.notation import b, omega_hat
 from symhaptic.paper import STATEMENTS
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import BORDER
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume, conj, conjunct, disch
-from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 
 
 def derive(page):
     stiffness, damping = (e.subs(theta, omega_hat) for e in passivity.envelope())
     scaled = {b: delta * m / T}
-    in_plane = [
-        (stiffness * T**2 / m).subs(scaled),
-        (damping * T / m).subs(scaled),
-    ]
+    in_plane = [(stiffness * T**2 / m).subs(scaled), (damping * T / m).subs(scaled)]
     line = passivity.margin(omega_hat) * T / m
     line = line.subs({K: alpha * m / T**2, B: beta * m / T}).subs(scaled)
     free = page.free_of("the line", line, T, m)

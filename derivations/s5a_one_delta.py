@@ -5,24 +5,38 @@ for passivity is that of the device alone. Figs. 11 to 13 and the ratio $\eta$ h
 both.
 """
 
-from symhaptic.book.lemmas.one_delta import (
-    counterexample_of,
-    drawn_too_large,
-    easy,
-    in_numbers,
-    outdone_by_the_arm,
-    ratios_kept,
-    right,
-    shown,
-    stays_stable,
-)
+from symhaptic.book.lemmas.near_tip import CLOSE, none_above, wall_below
+from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
+from symhaptic.book.lemmas.passive_tip import at_unit, passive_tip
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.lemmas.rates import moved
+from symhaptic.book.lemmas.ratio_peak import least, passive_wall
+from symhaptic.book.lemmas.stiffest_passive import bound
+from symhaptic.book.lemmas.stiffest_stable import numbers_known, stable_wall
+from symhaptic.book.lemmas.stiffness_claims import LATE, UNDELAYED, beside, from_bound, linear
+from symhaptic.book.lemmas.walls import damped, divisors, margins
 from symhaptic.notation import T, b_D, b_H, delta, m_D, m_H
+from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.paper.propositions.one_delta import (
+    ARM,
+    DEVICE,
+    FIGURES,
+    LIMITS,
+    MASS,
+    MEETS,
+    OWN,
+    SPRING,
+    UNITS,
+    WHOLE,
+    drawn,
     instead,
+    kept,
+    outdone,
     oversized,
     ratios,
     still_true,
 )
+from symhaptic.paper.propositions.ratio import BEST
 
 
 def derive(page):
@@ -127,3 +141,185 @@ def numbers(page):
         "damping of the arm into (5) calls walls passive that are $1+b_H/b_D$ times too stiff: 24 "
         "times in the example. Such a wall can push the hand as soon as the grip loosens."
     )
+
+
+# The damping of a held device: its own for passivity, and with the arm's for the loop.
+
+HELD = Given(T > 0, m_D > 0, m_H >= 0, b_D >= 0, b_H >= 0, k_H >= 0)
+for claim in MASS > 0, T / MASS > 0, MASS / T > 0, T**2 / MASS > 0, SPRING >= 0, WHOLE - OWN >= 0:
+    HELD.have(claim)
+
+
+@cache
+def in_units() -> tuple[Theorem, Theorem]:
+    """(5) with the device's delta from (5) with its damping, and back."""
+    plane = drawn(OWN)
+    there = moved(MEETS, plane, omega / T, HELD.show(T / MASS > 0), HELD.show(1 / T > 0))
+    back = moved(plane, MEETS, omega * T, HELD.show(MASS / T > 0), assume(T > 0))
+    return HELD.closed(there), HELD.closed(back)
+
+
+@cache
+def right() -> Theorem:
+    """(5) with the device's delta <=> (5) with its damping."""
+    there, back = in_units()
+    claim: Any = instead().parts[0]
+    symbols, given, then = taken_apart(claim)
+    found = either_way(back, there, *then.of)
+    return for_all(symbols, given, add_assum(found, *given))
+
+
+@cache
+def more_damped() -> Theorem:
+    """(5) with the delta of both, from (5) with that of the device."""
+    claim: Any = drawn()
+    given = conjuncts(claim.body.of[0])
+    there = at(assume(drawn(OWN)), {omega: omega}, *map(assume, given))
+    eased = show(claim.body.of[1], there, HELD.show(WHOLE - OWN >= 0))
+    return for_all([omega], given, _on_the_circle(eased))
+
+
+def _on_the_circle(theorem: Theorem) -> Theorem:
+    """What (5) divides by is not zero."""
+    return HELD.closed(closed(theorem, *divisors(omega)))
+
+
+@cache
+def stays_stable() -> Theorem:
+    """A wall that meets (5) with the damping of the device is stable in every arm."""
+    symbols, given, loop = taken_apart(kept())
+    here = {**UNITS, gamma: SPRING, delta: WHOLE}
+    known = HELD.and_(K > 0)
+    known.have(UNITS[alpha] > 0)
+    own = known.closed(inst(damped(passive()), {**UNITS, delta: OWN}))
+    robust = inst(conjunct(passive_is_stable(), STABLE), here)
+    every = inst(margins(passive()), here)
+    found = closed(robust, every, show(WHOLE > 0, own, HELD.show(WHOLE - OWN >= 0)))
+    found = known.closed(closed(known.closed(found), more_damped(), in_units()[0]))
+    found = known.closed(closed(found, more_damped(), in_units()[0]))
+    assert loop
+    return for_all(symbols, given, add_assum(found, *given))
+
+
+@cache
+def outdone_by_the_arm() -> Theorem:
+    """Some stable wall is 1 + b_H/b_D times as stiff as all passive ones: (11) with delta."""
+    claim = outdone()
+    symbols, given, some = taken_apart(claim)
+    together = assume(b_D + b_H > 0)
+    stable, tip = passive_tip()
+    loop = {gamma: SPRING, delta: WHOLE}
+    wall = tuple(v.xreplace(loop) for v in tip)
+    # a passive wall is softer than (11) with the damping of the device
+    values = dict(zip(BEST, wall, strict=True))
+    _, others = some.body.at(values).of
+    passive_, wanted = others.body.of
+    softer = show(wanted, HELD.show(T**2 / MASS > 0), together, inst(bound(), {b: b_D}), degree=3)
+    bare = for_all([K, B], [passive_], at_unit().closed(softer))
+    held = HELD.closed(inst(stable, loop), together)
+    found = HELD.closed(at_unit().closed(exists(conj(held, bare), some, values)))
+    return for_all(symbols, given, add_assum(found, *given))
+
+
+def shown() -> Theorem:
+    """What holds instead of one delta."""
+    return conj(right(), stays_stable(), outdone_by_the_arm())
+
+
+# -- numbers -------------------------------------------------------------------------------------
+
+
+@cache
+def in_numbers() -> Theorem:
+    """Between which numbers the ratio lies for the arm at the limits, with one delta and two."""
+    arm = ARM[gamma], ARM[delta]
+    held, stable = wall_below(arm, 0, CLOSE)
+    _, softer = none_above(arm, 0)
+    claims_ = iter(ratios().of)
+    found = []
+    for damper in (ARM[delta], DEVICE):
+        found.append(beside(next(claims_), stable, held, from_bound(least(0, damper))))
+        passive_, wall = passive_wall(0, damper)
+        found.append(beside(next(claims_), passive_, wall, from_bound(softer)))
+    return conj(*found)
+
+
+@cache
+def drawn_too_large() -> Theorem:
+    """32 times a passive wall of a device of Sec. IV-C is passive with the delta of the figures."""
+    symbols, given, plane = taken_apart(oversized())
+    inside = conjuncts(plane.body.of[0])
+    there = at(assume(drawn(OWN)), {omega: omega}, *map(assume, inside))
+    here = HELD.and_(b_D <= LIMITS[b_D] * m_D, LIMITS[T] >= T)
+    light = here.show(LIMITS[b_D] * MASS - b_D >= 0)
+    room = positive(
+        DAMPED * MASS - FIGURES * T * b_D >= 0,
+        [FIGURES, T > 0, light],
+        [FIGURES * LIMITS[b_D], show(LIMITS[T] - T >= 0, LIMITS[T] >= T), HELD.show(MASS > 0)],
+    )
+    more = over(DAMPED - FIGURES * OWN >= 0, room, MASS > 0)
+    wanted = show(plane.body.of[1], there, more)
+    found = for_all([omega], inside, _on_the_circle(here.closed(wanted)))
+    found = HELD.closed(closed(found, in_units()[0]))
+    return for_all(symbols, given, add_assum(found, *given))
+
+
+@cache
+def ratios_kept() -> Theorem:
+    """17.8 and 9.3 are passed by all the more with the damping of the device alone."""
+    symbols, given, both_ = taken_apart(still_true())
+    parts = []
+    for claim, delay, wall in zip(both_.of, (0, 1), (UNDELAYED, LATE), strict=True):
+        softer = inst(bound(), {K: alpha, B: beta, T: S.One, d: S(delay)})
+        softer = numbers_known(softer)
+        slope_ = softer.conclusion.right.subs(b, 1)
+        size = number(Relation(S.Zero, "<", slope_))
+
+        def less(wanted: Any, softer: Theorem = softer, size: Theorem = size) -> Theorem:
+            share = wanted.left.coeff(alpha)
+            rest = wanted.right - share * size.conclusion.right * delta
+            more = [share, size, assume(b <= delta)]
+            return positive(wanted, [share, softer], more, *linear(rest, RANGES[delta]))
+
+        parts.append(beside(claim, stable_wall(delay, wall, RANGES), wall, less))
+    return for_all(symbols, given, add_assum(conj(*parts), *given))
+
+
+def easy(claim: Any) -> Case:
+    """All that is supposed, at a device of 1 kg that renders a spring of 1 N/m."""
+    symbols, given, _ = taken_apart(claim)
+    light = {**dict.fromkeys(symbols, S.Zero), **LIMITS, m_H: S.Zero, b_H: S.Zero, K: S.One}
+    point = {s: light[s] for s in symbols}
+    known = []
+    if MEETS in given:
+        below: Any = MEETS.at(point)
+        inside, period = conjuncts(below.body.of[0]), LIMITS[T]
+        turn = period * omega
+        room = LIMITS[b_D] - period / 2
+        met = closed(combined(below.body.of[1], [room]), *divisors(turn))
+        met = Given(*inside).closed(met)
+        known.append(for_all([omega], inside, met))
+    return example(point, given, *known)
+
+
+def counterexample_of() -> Case:
+    """10 000 N/m at the limits meet (5) with delta, and not with the damping of the device."""
+    claim = CLAIMED["one-delta"](())
+    _, given, same = taken_apart(claim)
+    values = {**{s: LIMITS[s] for s in (T, m_D, m_H, b_D, b_H)}, K: S(10**4), B: S.Zero, d: S.Zero}
+    there: Any = same.at(values)
+    plane, device = there.of
+    inside = conjuncts(plane.body.of[0])
+    wanted = plane.body.of[1]
+    needed = plane.body.of[1].left.xreplace({omega: pi / 2})
+    met = closed(combined(wanted, [wanted.right - needed]), *divisors(omega))
+    held = for_all([omega], inside, met)
+    angle = {omega: pi / (2 * LIMITS[T])}
+    ends = [fact(p.at(angle)) for p in conjuncts(device.body.of[0])]
+    short = at(assume(device), angle, *ends)
+    contrary = negated(relation(short))
+    fails = not_intro(short, number(contrary), device)
+    both_ways = assume(there)
+    differ = not_intro(mp(both_ways, held), fails, there)
+    assert given
+    return counterexample(claim, values, differ)

@@ -4,31 +4,11 @@ The spring did not enter the comparison: a wall that meets the passivity conditi
 every hand, whatever its stiffness.
 """
 
-from sympy import Ne, S
-
 from symhaptic.book.lemmas.connections import passive_wall_is_stable, stays_on_circle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import passive_in_numbers
-from symhaptic.book.lemmas.walls import HALF, divisors
+from symhaptic.book.lemmas.walls import divisors
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, omega, y
-from symhaptic.notation.proposition import Relation, proposition
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.familiar import strictly
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume, not_intro
-from symhaptic.proof.theorems.leaves import factor
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    counterexample,
-    either_way,
-    example,
-    fact,
-    for_all,
-    one,
-    over,
-    positive,
-)
 
 
 def derive(page):

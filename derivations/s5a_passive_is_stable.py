@@ -4,28 +4,20 @@ Passivity looks at energy, stability at roots. Both conditions have the delay in
 root on the unit circle it drops out of the comparison, and the device alone decides.
 """
 
-from sympy import Rational, S, pi
-
 from symhaptic.book.figures.arguments import sides
-from symhaptic.book.lemmas.connections import DAMPED as DAMPED_DEVICE
-from symhaptic.book.lemmas.connections import HELD, passive_wall_is_stable, stays_on_circle
-from symhaptic.book.lemmas.one_plane import held_passive_is_stable
-from symhaptic.book.lemmas.passive_is_stable import (
-    DEVICE,
-    no_crossing,
-    passive_is_stable,
+from symhaptic.book.lemmas.connections import (
+    DAMPED_DEVICE,
+    HELD,
+    passive_wall_is_stable,
+    stays_on_circle,
 )
+from symhaptic.book.lemmas.one_plane import held_passive_is_stable
+from symhaptic.book.lemmas.passive_is_stable import DEVICE, no_crossing, passive_is_stable
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.undelayed import passive_in_numbers
 from symhaptic.book.lemmas.walls import margins
-from symhaptic.notation import B, F, K, T, alpha, b, beta, d, delta, gamma, p_k, theta, v, x
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE, passive
-from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.familiar import held_steady_state
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume, conj, conjunct, inst
-from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all, positive
 
 
 def derive(page):

@@ -4,34 +4,19 @@ For a soft contact the paper lowers the virtual stiffness down to zero and expec
 stability. We keep the virtual damping and ask for which walls this is so.
 """
 
-from sympy import Rational, S, cos, pi
-
-from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
-from symhaptic.book.lemmas.softer import stays_passive
+from symhaptic.book.lemmas.chords import PI
+from symhaptic.book.lemmas.passive_is_stable import (
+    EVERY_MARGIN,
+    MARGIN,
+    margin_to_the_end,
+    passive_is_stable,
+)
+from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.walls import damped, margins, met, unstable
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, alpha, b, beta, d, delta, gamma, omega, theta, y, z
-from symhaptic.notation.proposition import negated, proposition, whole
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.proof.theorems.definitions import loop_substituted
-from symhaptic.proof.theorems.familiar import not_negative
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume, conjunct, inst, mp, not_intro
-from symhaptic.proof.theorems.leaves import (
-    number,
-    root_outside,
-    roots_inside,
-)
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    counterexample,
-    denied_by,
-    example,
-    fact,
-    for_all,
-)
 
 
 def derive(page):
@@ -141,3 +126,43 @@ def lacks(point):
     inside = [fact(r.at({omega: frequency})) for r in below.body.of[0].of]
     there = at(assume(below), {omega: frequency}, *inside)
     return not_intro(there, number(negated(there.conclusion)), below)
+
+
+# A passive wall stays passive while its stiffness is taken away and its damping is kept.
+
+
+@cache
+def within_the_damper() -> tuple[Theorem, Theorem]:
+    """-delta <= beta and beta <= delta, from the margin at every angle, 0 <= alpha and 0 <= d."""
+    start = delta + beta - alpha * (d + S.Half)
+    below = at(assume(EVERY_MARGIN), {theta: theta}, *map(assume, INSIDE))
+    slow = in_the_limit(below, theta, S.Zero, pi, tends(MARGIN, theta, S.Zero, start))
+    late = positive(d + S.Half > 0, d >= 0, [S.Half])
+    low = positive(beta + delta >= 0, [prove_hyp(slow, PI)], [alpha >= 0, late])
+    angle = pi / (d + 1)
+    more = positive(d + 1 > 0, d >= 0, [S.One])
+    inside = over(angle > 0, PI, more)
+    end = positive(angle <= pi, [over(pi - angle >= 0, positive(pi * d >= 0, [PI, d >= 0]), more)])
+    there = inst(margin_to_the_end(), {theta: angle})
+    # there the cosine is -1, and the quotient of the sines 1/2
+    high = positive(beta <= delta, [there], [S.Half, alpha >= 0])
+    return low, closed(high, inside, end, positive(Ne(d + 1, 0), [more]))
+
+
+@cache
+def stays_passive() -> Theorem:
+    """The margin at every angle of y alpha, from that of alpha, 0 <= y <= 1 and 0 <= alpha."""
+    low, high = within_the_damper()
+    turn = cos((d + 1) * theta)
+    bound = bounded(cos, (d + 1) * theta)
+    one, other = (
+        positive(1 + s * turn >= 0, *([S.Half, x] for x in (square(1 + s * turn), bound)))
+        for s in (1, -1)
+    )
+    eased = positive(delta + beta * turn >= 0, [S.Half, low, one], [S.Half, high, other])
+    there = at(assume(EVERY_MARGIN), {theta: theta}, *map(assume, INSIDE))
+    wanted = MARGIN.xreplace({alpha: y * alpha})
+    share = positive(1 - y >= 0, y <= 1)
+    found = positive(wanted >= 0, [y >= 0, there], [share, eased])
+    apart = positive(Ne(sin(theta / 2), 0), [sine_of_half(theta)])
+    return for_all([theta], INSIDE, closed(found, apart))

@@ -4,8 +4,7 @@ Without delay the loop is a cubic, with an arm's spring too. Its largest stable 
 closed form, and the paper's first ratio, 17.8 for $d=0$, is decided on the whole range (23).
 """
 
-from sympy import Rational, S, sqrt
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffness_claims import UNDELAYED, of_ratio
 from symhaptic.book.lemmas.undelayed_tip import (
     LARGEST,
@@ -16,10 +15,6 @@ from symhaptic.book.lemmas.undelayed_tip import (
 )
 from symhaptic.bounds.walls import over, passive, undelayed
 from symhaptic.model import boundary, jury, plant
-from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, s_1, w
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.tactics import example
 
 RISE = n_1 + n_0
 

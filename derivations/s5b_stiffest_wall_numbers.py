@@ -5,19 +5,13 @@ to the largest passive stiffness for two delays and draws its inverse $\eta$ in 
 is enclosed here between a stable wall next to the tip and a bound of all stable walls.
 """
 
-from sympy import S, pi, tan
-
 from symhaptic.book.lemmas.far_higher import at_least, by_how_much, dimensions
 from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
 from symhaptic.book.lemmas.outweighed import stable_behind_every_delay
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffness_claims import LATE, of_ratio
 from symhaptic.model import passivity
-from symhaptic.notation import K, T, alpha, d, delta, gamma, theta
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.far_higher import RATIOS, SIZES
-from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.tactics import example
 
 HELD = (
     r"one $\delta$ for passivity and stability; for a held device the ratio is larger by "

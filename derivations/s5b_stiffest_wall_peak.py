@@ -6,21 +6,8 @@ Every whole delay is asked here, for the arm with the spring.
 
 from symhaptic.book.lemmas.near_tip import none_above
 from symhaptic.book.lemmas.outweighed import stable_behind_every_delay
-from symhaptic.book.lemmas.ratio_peak import (
-    PEAK,
-    SPRUNG,
-    elsewhere,
-    instead,
-    near_one,
-    never_met,
-)
-from symhaptic.notation import gamma
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.ranges import STIFF
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import disj
-from symhaptic.proof.theorems.leaves import identity
-from symhaptic.proof.theorems.tactics import counterexample
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.lemmas.ratio_peak import PEAK, SPRUNG, elsewhere, instead, near_one, never_met
 
 
 def derive(page):
@@ -38,8 +25,7 @@ def derive(page):
         "walls:"
     )
     page.lemma(
-        "Behind 40 periods the stable walls have $\\alpha<0.000766483$",
-        none_above(SPRUNG, PEAK)[1],
+        "Behind 40 periods the stable walls have $\\alpha<0.000766483$", none_above(SPRUNG, PEAK)[1]
     )
     page.lemma(
         "Behind every whole delay but 40 $\\eta$ is less than $0.9998$",

@@ -5,9 +5,8 @@ terms of the largest stiffness that asks whether the ratio $\eta$ of the passive
 grows with $\delta$.
 """
 
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.near_tip import none_above
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.weaker_damping import (
     DAMPERS,
     FAR,
@@ -18,13 +17,7 @@ from symhaptic.book.lemmas.weaker_damping import (
     step_by_step,
     steps,
 )
-from symhaptic.notation import d, delta, gamma
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import HEAVIER
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, conj, disj
-from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 
 def derive(page):

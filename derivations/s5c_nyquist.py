@@ -4,33 +4,10 @@ A device on a spring oscillates. Sampling can follow that up to the Nyquist freq
 which stiffness it is reached.
 """
 
-from sympy import Eq, I, Ne, S, pi, sqrt
-
-from symhaptic.book.lemmas.swing import (
-    SQUARE,
-    by_its_square,
-    rewritten,
-    swings,
-    up_to_nyquist,
-)
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.lemmas.swing import SQUARE, by_its_square, rewritten, swings, up_to_nyquist
 from symhaptic.model import plant
-from symhaptic.model.parts import Parts
 from symhaptic.model.plant import Plant
-from symhaptic.notation import T, b, delta, gamma, k, m, omega
-from symhaptic.notation.proposition import Relation
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    add_assum,
-    assume,
-    conj,
-    disch,
-    inst,
-    mp,
-    subst,
-)
-from symhaptic.proof.theorems.leaves import combined, identity, number
-from symhaptic.proof.theorems.tactics import closed, either_way, example, for_all, over, positive
 
 
 def derive(page):
@@ -135,10 +112,7 @@ def _up_to_nyquist(page, turns):
     found = add_assum(conj(same, disch(slow, calm.of[0])), *given)
     point = {T: S.One, gamma: S.One, delta: S.Zero, omega: S.One}
     page.settle(
-        "eq30",
-        for_all(symbols, given, found),
-        turns**2 <= pi**2,
-        example=example(point, given),
+        "eq30", for_all(symbols, given, found), turns**2 <= pi**2, example=example(point, given)
     )
 
 

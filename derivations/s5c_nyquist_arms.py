@@ -3,43 +3,10 @@ r"""Is the limit of the spring ten thousand times the stiffness of an arm?
 Against the arms of Table II the limit is a large factor, but which one?
 """
 
-from sympy import Eq, I, Ne, Rational, S, pi
-
-from symhaptic.book.lemmas.arm_ranges import (
-    SHARE,
-    above,
-    damped,
-    divisors,
-    scale,
-    weak,
-)
+from symhaptic.book.lemmas.arm_ranges import SHARE, above, damped, divisors, scale, weak
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.swing import spring_of_nyquist
 from symhaptic.model import plant
-from symhaptic.notation import T, b, delta, gamma, k, k_H, m, x
-from symhaptic.notation.proposition import negated
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.familiar import square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    add_assum,
-    assume,
-    conj,
-    conjunct,
-    inst,
-    mp,
-    not_intro,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import (
-    closed,
-    counterexample,
-    example,
-    fact,
-    for_all,
-    one,
-    over,
-    positive,
-)
 
 DEVICE = {m: Rational(1, 10), T: Rational(1, 1000)}
 """Example 5.1, in kg and s."""

@@ -4,38 +4,13 @@ The Nyquist frequency is reached at $\gamma=\pi^2+\delta^2/4$. In units of a dev
 5.1 of the paper.
 """
 
-from sympy import Eq, I, Rational, S, pi, sqrt
-
-from symhaptic.book.lemmas.arm_ranges import (
-    FIFTIETH,
-    SHARE,
-    above,
-    damped,
-    divisors,
-    scale,
-    weak,
-)
+from symhaptic.book.lemmas.arm_ranges import FIFTIETH, SHARE, above, damped, divisors, scale, weak
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.swing import spring_of_nyquist
 from symhaptic.model.plant import Plant
-from symhaptic.notation import T, b, delta, k, m
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import EXAMPLE
 from symhaptic.proof import box
-from symhaptic.proof.theorems.familiar import square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    add_assum,
-    assume,
-    conj,
-    disch,
-)
-from symhaptic.proof.theorems.leaves import combined, on_box
-from symhaptic.proof.theorems.tactics import (
-    closed,
-    example,
-    for_all,
-    positive,
-)
+from symhaptic.proof.theorems.leaves import on_box
 
 
 def derive(page):

@@ -4,20 +4,22 @@ The device returns to its mirror image after each period, a little smaller if it
 what this leaves to the wall.
 """
 
-from sympy import S, pi
-
-from symhaptic.book.lemmas.mirror import inside, mirrored_pole, split, triangle
-from symhaptic.model import loop
-from symhaptic.model.parts import Parts
-from symhaptic.notation import alpha, beta, d, delta, gamma, l, z
-from symhaptic.notation.proposition import Relation, whole
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.propositions.comparison import kept_at_minus_one, q
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.lemmas.stiffest_stable import numbers_known
+from symhaptic.model import loop, plant
+from symhaptic.paper.propositions.comparison import (
+    LATE,
+    MIRROR,
+    NUMBERS,
+    TURNED,
+    WALLS,
+    kept_at_minus_one,
+    limit_stable_undelayed,
+    q,
+    split_off,
+)
 from symhaptic.proof.theorems.familiar import held_by_a_pole
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, conj
-from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.tactics import example, fact, for_all
+from symhaptic.proof.theorems.roots import pole_at
 
 
 def derive(page):
@@ -49,9 +51,7 @@ def derive(page):
         "Without delay the other factor is of second order:"
     )
     page.lemma(
-        "For $d=0$ the other zeros lie inside just for a triangle of walls",
-        triangle(),
-        boxed=True,
+        "For $d=0$ the other zeros lie inside just for a triangle of walls", triangle(), boxed=True
     )
     once = {alpha: S.One, beta: S.Zero, delta: S.One, l: S.One, q: S.One}
     symbols, given, _ = taken_apart(kept_at_minus_one())
@@ -75,3 +75,107 @@ def derive(page):
         example=example(once, given, fact(whole(S.One))),
         note=r"at the Nyquist frequency it is $-e^{-\delta/2}$, whatever wall and delay",
     )
+
+
+# At the Nyquist frequency the device turns into its mirror image: a pole that no wall moves.
+
+
+@cache
+def mirrored_pole(damping: Expr) -> Theorem:
+    """-exp(-delta/2) is a pole for gamma = pi^2 + delta^2/4, for every wall and l/q periods."""
+    spring, damped = pi**2 + damping**2 / 4, damping != 0
+    device = plant.sampled(plant.normalised(Parts(damping=damped)), split=2 * I * pi)
+    turn = -damping / 2 + I * pi
+    there = exp(turn)
+    values = {gamma: spring, delta: damping, z: there}
+    wall = (alpha + beta) * there - beta
+    loop = exp((LATE + 1) * turn) * device.denominator + device.numerator * wall
+    zero = identity(loop.xreplace(values), S.Zero)
+    parts = {"damping": damped}
+    found = pole_at((alpha, beta, spring, damping, LATE), z, q, turn, zero, **parts)
+    here = Given(whole(l), whole(q), q > 0)
+    full = number(Relation(S.Zero, "<", pi**2))
+    stiff = show(Relation(S.Zero, "<", spring), square(damping), full)
+    stiffer = here.closed(found, stiff)
+    if not damped:
+        return stiffer
+    other = -damping / 2 - I * pi
+    return closed(stiffer, factor(turn, stiff, other), factor(other, stiff, turn))
+
+
+@cache
+def inside() -> tuple[Theorem, Theorem]:
+    """-1 < -exp(-delta/2) and -exp(-delta/2) < 1, for delta > 0."""
+    low, high = rising(exp, -delta / 2, S.Zero), sign_of(exp, -delta / 2)
+    return Given(delta > 0).show(MIRROR > -1, low), show(MIRROR < 1, high)
+
+
+@cache
+def undamped() -> dict[str, Theorem]:
+    """a = -2, e = 1, n_1 = n_0 and n_1 = 2/pi^2 of the device without damping."""
+    device = axiom("undamped device", pi, *NUMBERS)
+    turn, alike = (conjunct(device, claim) for claim in device.conclusion.parts)
+    here = assume(Predicate("device", (), (pi**2, S.Zero, *NUMBERS)))
+    loss = combined(Eq(e, 1), [of_device("device's loss", here)])
+    half = 1 / (2 * pi**2)
+    length = combined(
+        Eq(n_1, TURNED),
+        [-half, of_device("device at rest", here)],
+        [S.Half, alike],
+        [-half, turn],
+        [half, loss],
+    )
+    return {"turn": turn, "alike": alike, "loss": loss, "length": length}
+
+
+@cache
+def split() -> Theorem:
+    """The polynomial is z + 1 times another one, and the device loses a pole at -1."""
+    claim = split_off()
+    given, (seen, once) = conjuncts(claim.body.of[0]), conjuncts(claim.body.of[1])
+    turned, left = conjuncts(seen.body)
+    known, late, below = undamped(), z ** (d + 1), z**2 - a * z + e
+    shown = combined(
+        turned.of[1],
+        [-z * late, known["turn"]],
+        [late, known["loss"]],
+        [WALLS * (z + 1), known["length"]],
+        [-WALLS, known["alike"]],
+    )
+    more = assume(left.of[0])
+    both_ = below * (z + 1)
+    quotient = combined(
+        left.of[1],
+        [TURNED * z / both_, known["turn"]],
+        [-TURNED / both_, known["loss"]],
+        [(z + 1) / below, known["length"]],
+        [-1 / below, known["alike"]],
+    )
+    apart = combined(Ne(below, 0), [more, more], [z, known["turn"]], [-1, known["loss"]])
+    quotient = closed(quotient, apart, combined(Ne(z + 1, 0), [more]))
+    pairs = ((shown, turned), (quotient, left))
+    at_each = gen(conj(*(disch(t, p.of[0]) for t, p in pairs)), z)
+    value, sum_ = once.of
+    there = combined(sum_, [-(pi**2) / 2, assume(value)])
+    back = combined(value, [-TURNED, assume(sum_)])
+    found = conj(at_each, either_way(there, back, value, sum_))
+    return for_all(claim.over, given, add_assum(found, *given))
+
+
+@cache
+def triangle() -> Theorem:
+    """Without delay the other zeros lie inside just for the walls of a triangle."""
+    claim: Any = limit_stable_undelayed()
+    zeros, walls = claim.body.of
+    inside = jury(zeros.of[0], z)
+    half = number(Relation(S.Zero, "<", pi**2 / 2))
+    share = number(Relation(S.Zero, "<", TURNED))
+    minors = conjuncts(inside.conclusion.of[1])
+    left, down, right = conjuncts(walls)
+    sides = (left, right, down)
+    there = {p: combined(p, [half, assume(m)]) for p, m in zip(sides, minors, strict=True)}
+    back = [combined(m, [share, assume(p)]) for p, m in zip(sides, minors, strict=True)]
+    same = either_way(
+        conj(*(there[p] for p in conjuncts(walls))), conj(*back), inside.conclusion.of[1], walls
+    )
+    return gen(chained(inside, numbers_known(same)), alpha, beta)

@@ -7,11 +7,7 @@ springs has become a triangle.
 
 from sympy import I, S, exp, eye, pi, symbols, tanh
 
-from symhaptic.book.lemmas.nyquist_triangle import (
-    hardly_moved,
-    is_triangle,
-    other_shape_and_size,
-)
+from symhaptic.book.lemmas.nyquist_triangle import hardly_moved, is_triangle, other_shape_and_size
 from symhaptic.model import jury, loop, plant
 from symhaptic.model.parts import FULL
 from symhaptic.notation import alpha, beta, d, delta, gamma, z

@@ -5,16 +5,9 @@ sees the region of these walls shrink to the origin as $\delta\to0$. We show tha
 every delay, and that one spring excludes all walls that do not pull.
 """
 
-from sympy import I, S, cos, diff, sin
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undamped_robust import chord, excluded, outpaced, pulled, vanishes
 from symhaptic.model import loop, plant
-from symhaptic.model.parts import Parts
-from symhaptic.model.passivity import on_circle
-from symhaptic.notation import Omega, alpha, beta, d, gamma, n_0, n_1, z
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.tactics import example, for_all
 
 
 def derive(page):

@@ -5,26 +5,10 @@ Passive walls are, for whole delays, by \chapter{s5a_passive_is_robust}; without
 \chapter{s5c_robust}. We ask what a little damping leaves.
 """
 
-from sympy import I, S, cos, exp, sin
-
 from symhaptic.book.figures.stability import springs
 from symhaptic.book.lemmas.one_plane import up_to_nyquist
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional, passivity, plant
-from symhaptic.model.parts import Parts
-from symhaptic.model.passivity import on_circle, real_part
-from symhaptic.notation import (
-    B,
-    K,
-    Omega,
-    T,
-    alpha,
-    beta,
-    d,
-    epsilon,
-    gamma,
-    n_1,
-    theta,
-)
 
 
 def derive(page):

@@ -5,8 +5,7 @@ up to the Nyquist frequency. We ask how much stiffer it can be than a passive wa
 and damping do to it.
 """
 
-from sympy import Rational
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.robust import (
     STIFFEST,
     WALLS,
@@ -19,7 +18,6 @@ from symhaptic.book.lemmas.robust import (
     tip_is_robust,
 )
 from symhaptic.paper.propositions.robust import AT_MOST, CONSERVATIVE
-from symhaptic.paper.ranges import DAMPED
 
 
 def derive(page):

@@ -4,17 +4,11 @@ The conclusion of the paper has less than 22 % for stability, read from two figu
 which arms that holds.
 """
 
-from sympy import S
-
 from symhaptic.book.lemmas import far_higher
 from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffness_claims import one_period
-from symhaptic.notation import delta, gamma
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.far_higher import left_by_one_period
-from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.tactics import example
 
 
 def derive(page):

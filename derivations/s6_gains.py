@@ -4,18 +4,14 @@ The conclusion of the paper: much faster sampling does not gain much where the d
 and more mass gains nothing. Here the delay $t_d=dT$ is kept while $T$ shrinks.
 """
 
-from sympy import S, pi, tan
-
 from symhaptic.book.lemmas.faster import SLOW, SOON, farthest, gained, much, not_slow, slow
-from symhaptic.book.lemmas.faster_passive import claim, gains_little
+from symhaptic.book.lemmas.passive_tip import passive_wall
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.lemmas.stiffest_passive import TURN, bound, waves
 from symhaptic.model import plant, wall
-from symhaptic.notation import B, K, T, b, d, delta, gamma, h, k, m, t_d
-from symhaptic.notation.proposition import whole
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.conclusion import FASTER
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import counterexample, example, fact, for_all
+from symhaptic.paper.propositions.passivity import PASSIVE
+from symhaptic.proof.theorems.analysis import grows
 
 
 def derive(page):
@@ -99,3 +95,98 @@ def heavier(page):
         "and twice as damped, the polynomial $p(z)$ of the loop is the same. The roots, and with "
         "them every motion, stay as they are; so does $K/m$."
     )
+
+
+# What faster sampling gains for the largest passive stiffness at the same delay in seconds.
+#
+# By (11) that stiffness is 2 b/T tan(pi/(4 (d+1))), and the tangent over its angle rises.
+
+u, v, w = symbols("u v w")
+
+
+@cache
+def above_the_sine() -> Theorem:
+    """sin v cos v < v for 0 < v < pi/2."""
+    rest = w - sin(w) * cos(w)
+    here = Given(w > 0, w < v, v < pi / 2)
+    sine = here.show(sin(w) > 0)
+    return show(
+        v - sin(v) * cos(v) > 0,
+        grows(rest, w, S.Zero, v, here.closed(positive(derivative(rest, w) > 0, [2, sine, sine]))),
+    )
+
+
+@cache
+def tangent_over_angle() -> Theorem:
+    """0 < w sin w'/cos w' - w' sin w/cos w for the angles 0 < w < w' < pi/2, w' being u."""
+    quotient = sin(v) / (v * cos(v))
+    here = Given(w > 0, w < u, u < pi / 2)
+    between = Given(w > 0, w < v, v < u, u < pi / 2)
+    slope_ = over(derivative(quotient, v) > 0, above_the_sine(), v**2 * cos(v) ** 2 > 0)
+    inside = between.closed(slope_), *between.defined(quotient)
+    rise = here.closed(grows(quotient, v, w, u, *inside))
+    return here.show(w * sin(u) / cos(u) - u * sin(w) / cos(w) > 0, rise, degree=3)
+
+
+LATER = FASTER * d
+"""The delay in the shorter periods."""
+
+
+def claim() -> Proposition:
+    """At q times the rate a passive wall is at most 1 + 1/d times as stiff as some passive one.
+
+    The delay is the same in seconds, d periods of the slower rate; d and q are whole, 1 <= d.
+    """
+    best, others = PASSIVE.at({K: x, B: y}), PASSIVE.at({T: T / FASTER, d: LATER})
+    rest = ForAll((K, B), implied([others], (1 + 1 / d) * x >= K))
+    given = [T > 0, b >= 0, whole(d), d >= 1, whole(FASTER), FASTER >= 1]
+    return ForAll((b, T, d, FASTER), implied(given, Exists((x, y), both([best, rest]))))
+
+
+@cache
+def weakly() -> Theorem:
+    """0 <= w tan u - u tan w for 0 < w <= u < pi/2."""
+    goal = w * sin(u) / cos(u) - u * sin(w) / cos(w)
+    equal = both_ways(assume(w <= u), assume(u <= w))
+    place = Symbol("t")
+    same = number(Relation(S.Zero, "<=", S.Zero))
+    turned = subst(goal.xreplace({w: place}) >= 0, place, same, show(Eq(u, w), equal))
+    found = disj_cases(ordered(w, u), show(goal >= 0, tangent_over_angle()), turned)
+    return Given(w > 0, w <= u, u < pi / 2).closed(found)
+
+
+@cache
+def gains_little() -> Theorem:
+    """:func:`claim`, by (11) for both rates."""
+    symbols, given, some = taken_apart(claim())
+    best = passive_wall()
+    stiffness, damping = best.conclusion.of[:2]
+    later = {T: T / FASTER, d: LATER}
+    small, large = TURN.xreplace({d: LATER}), TURN
+    here = waves(T > 0, d >= 1, FASTER >= 1, whole(d), whole(FASTER), b >= 0)
+    here.have(FASTER > 0)
+    here.have(LATER + 1 > 0)
+    ratio = here.closed(
+        inst(weakly(), {w: small, u: large}), here.show(large - small >= 0), degree=3
+    )
+    softer = inst(bound(), later)
+    period, share, factor_, tangent = map(
+        here.show,
+        (
+            1 / T > 0,
+            (d + 1) / (d * (LATER + 1)) > 0,
+            4 * (d + 1) * FASTER / pi > 0,
+            sin(large) / cos(large) > 0,
+        ),
+    )
+    room = positive(
+        (1 + 1 / d) * stiffness >= K,
+        [2, assume(b >= 0), period, share, tangent],
+        [2, assume(b >= 0), period, factor_, ratio],
+        [softer],
+    )
+    others = some.body.of[1]
+    values = {x: stiffness, y: damping}
+    bare = for_all([K, B], [others.at(values).body.of[0]], here.closed(room))
+    found = here.closed(exists(conj(best, bare), some, values))
+    return for_all(symbols, given, add_assum(found, *given))

@@ -4,18 +4,12 @@ The conclusion of the paper says so of both, inside the range (23). We compare t
 stiffness with and without them: in numbers for delays up to seven periods, and for long delays.
 """
 
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.marginal import AT_ONCE, LONG, by_a_factor, changes, none_pushes
 from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.undamped_robust import excluded
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.conclusion import CHANGES
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, conj
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all, not_all
 
 PARTS = {
     gamma: ("spring", r"$\delta=0$", r"$\delta=0.02$"),

@@ -5,10 +5,9 @@ loop is one in the units of Table I. It scales where the operator's numbers ther
 not where the damper or the spring is simply kept.
 """
 
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.mass import no_mass_differs
 from symhaptic.book.lemmas.passive_is_stable import LOOP
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.rates import with_damping_and_rate
 from symhaptic.book.lemmas.scaling import (
     FASTER,
@@ -21,13 +20,8 @@ from symhaptic.book.lemmas.scaling import (
     with_the_stiffness,
 )
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
-from symhaptic.notation import B, K, T, b, d, k, m, y
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import HEAVY, STIFFER, STRONGER
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume, conj, conjunct, mp, not_intro
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 STILL = dict.fromkeys((b, k, d), S.Zero) | {T: S.One, m: S.One}
 BRAKED = STILL | {K: Rational(713, 1000), B: Rational(33, 40), b: Rational(1, 50)}
@@ -65,10 +59,7 @@ def derive(page):
         page,
         "s6-mass",
         conj(free_mass(heavier, HELD), no_mass_differs(m, HEAVY)),
-        [
-            _grown(BRAKED | {HEAVY: S(2)}, S(2), S(2)),
-            _grown(SPRUNG | {HEAVY: S(4)}, S(4), S(4)),
-        ],
+        [_grown(BRAKED | {HEAVY: S(2)}, S(2), S(2)), _grown(SPRUNG | {HEAVY: S(4)}, S(4), S(4))],
         shows="twice the mass with the same damper gives less than twice the stiffness",
         note="the passive region is free of the mass, without condition",
     )

@@ -5,15 +5,12 @@ period: for the time $\varepsilon T$ the device still feels the force before. Th
 motion are again a transfer function, exactly; the paper's $z^{-d}$ is not.
 """
 
-from sympy import S, exp, expand, eye
-
 from symhaptic.book.lemmas.late_device import exact_late_plant, exact_plant
 from symhaptic.book.lemmas.late_loop import numbers_of_a_late_device
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional, plant
-from symhaptic.model.parts import FULL, Parts
+from symhaptic.model.parts import FULL
 from symhaptic.model.plant import Plant
-from symhaptic.notation import c, delta, epsilon, gamma, l, m_0, m_1, m_2, z
-from symhaptic.proof.theorems.kernel import conj
 
 
 def derive(page):

@@ -5,8 +5,6 @@ was said of whole delays can be asked again: the polynomial, its roots at 1 and 
 boundary as an explicit curve.
 """
 
-from sympy import Eq, I, Rational, S, cos, exp, sin, symbols
-
 from symhaptic.book.lemmas.late_boundary import boundary_is_explicit, late_boundary
 from symhaptic.book.lemmas.late_loop import (
     GIVEN,
@@ -15,30 +13,9 @@ from symhaptic.book.lemmas.late_loop import (
     polynomial_of_a_late_loop,
 )
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional, loop, plant
-from symhaptic.model.parts import FULL, Parts
-from symhaptic.model.passivity import on_circle, real_part
-from symhaptic.notation import (
-    alpha,
-    beta,
-    c,
-    d,
-    delta,
-    epsilon,
-    gamma,
-    l,
-    m_0,
-    m_1,
-    m_2,
-    n_0,
-    n_1,
-    theta,
-    z,
-)
-from symhaptic.proof.theorems.familiar import device_static
-from symhaptic.proof.theorems.kernel import assume
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import example
+from symhaptic.model.parts import FULL
 
 EXAMPLE = dict.fromkeys((alpha, beta, gamma, delta, epsilon), Rational(1, 2)) | {l: S.One}
 

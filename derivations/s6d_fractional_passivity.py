@@ -5,36 +5,15 @@ the period counts. Which inequality forbids that energy is extracted, and what b
 whole delays?
 """
 
-from sympy import I, Rational, S, cos, cot, sin, sqrt, symbols
-
 from symhaptic.book.lemmas.late_passivity import (
     GIVEN,
     condition_at_every_angle,
     passive_at_every_angle,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional, passivity, wall
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    b,
-    d,
-    epsilon,
-    function,
-    l,
-    p_k,
-    phi,
-    q_k,
-    r,
-    theta,
-    u,
-    w,
-    x,
-    z,
-)
-from symhaptic.proof.theorems.tactics import example
+from symhaptic.notation import function, q_k
 
-HALF = Rational(1, 2)
 N, NEED = symbols("n"), function("b_0")
 KERNEL = K * T / (2 * sin(theta / 2))
 

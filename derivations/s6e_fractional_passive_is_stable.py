@@ -4,9 +4,7 @@ For whole delays it is, because the motion at a root on the unit circle would ex
 same motion is looked at again, with a force that changes inside the period.
 """
 
-from sympy import S, eye
-
-from symhaptic.book.lemmas.half_late_passive import DAMPED, passive_with
+from symhaptic.book.lemmas.half_late_passive import DAMPER, passive_with
 from symhaptic.book.lemmas.late_passive_is_stable import (
     GIVEN,
     PASSIVE,
@@ -14,29 +12,9 @@ from symhaptic.book.lemmas.late_passive_is_stable import (
     late_passive_walls_are_stable,
     no_crossing,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional, plant
-from symhaptic.model.parts import Parts
-from symhaptic.notation import (
-    F,
-    T,
-    alpha,
-    b,
-    beta,
-    c,
-    delta,
-    epsilon,
-    gamma,
-    l,
-    p_k,
-    q_k,
-    v,
-    w,
-    x,
-    y,
-    z,
-)
-from symhaptic.proof.theorems.kernel import inst
-from symhaptic.proof.theorems.tactics import closed, example, one
+from symhaptic.notation import q_k
 
 
 def derive(page):
@@ -108,8 +86,8 @@ def derive(page):
         "delay $(\\ell+\\varepsilon)T$ is stable",
         claim=late_passive_walls_are_stable(),
     )
-    point = {alpha: S.Zero, beta: DAMPED, gamma: S.One, delta: S.One, l: S.Zero, epsilon: S.Half}
-    damped = inst(passive_with(S.Zero, DAMPED), {b: S.One, T: S.One})
+    point = {alpha: S.Zero, beta: DAMPER, gamma: S.One, delta: S.One, l: S.Zero, epsilon: S.Half}
+    damped = inst(passive_with(S.Zero, DAMPER), {b: S.One, T: S.One})
     page.settle(
         "fractional-passive-is-stable",
         found,

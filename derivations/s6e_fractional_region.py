@@ -5,16 +5,11 @@ against the exact condition at two places that the paper speaks of: at low frequ
 stiffness.
 """
 
-from sympy import Rational, S, cos, sin
-
 from symhaptic.book.figures.fractional import passive_regions
 from symhaptic.book.lemmas.late_damping import damping_late, limit_points
 from symhaptic.book.lemmas.late_passivity import GIVEN, low_frequencies, needed_at_low_frequencies
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional
-from symhaptic.notation import B, K, T, b, epsilon, l, theta
-from symhaptic.proof.theorems.tactics import example
-
-HALF = Rational(1, 2)
 
 POINT = {K: S.One, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: HALF}
 

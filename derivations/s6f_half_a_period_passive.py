@@ -4,7 +4,7 @@ For $d=\tfrac12$ the exact condition is a quadratic in $\cos^2\frac\theta2$, and
 passive walls can be written down. We work in units of $b$ and $T$.
 """
 
-from sympy import Rational, S, cos, discriminant, expand, sqrt
+from sympy import discriminant
 
 from symhaptic.book.figures.fractional import largest_stiffness
 from symhaptic.book.lemmas.half_late_passive import (
@@ -13,10 +13,9 @@ from symhaptic.book.lemmas.half_late_passive import (
     stiffest,
     stiffest_half_late,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional
-from symhaptic.notation import B, K, T, b, epsilon, l, theta, y
 from symhaptic.proof.enclosed import root
-from symhaptic.proof.theorems.tactics import example
 
 HALF = {epsilon: Rational(1, 2), l: 0, b: 1, T: 1}
 

@@ -4,26 +4,13 @@ With $d=r/q$ the paper turns $z^{-d}$ into a polynomial by substituting $z=\zeta
 letter, all its roots have to lie inside the unit circle, and that no wall of the figures can do.
 """
 
-from sympy import Eq, Rational, S
-
-from symhaptic.book.lemmas.letter import (
-    GIVEN,
-    drawn_otherwise,
-    not_those_drawn,
-    only_within_the_spring,
-    p,
-    q,
-    within_the_spring,
-)
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.chords import PI
+from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1
-from symhaptic.proof.theorems.familiar import device_static
-from symhaptic.proof.theorems.kernel import assume
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import example
-
-HALF = Rational(1, 2)
+from symhaptic.book.lemmas.walls import met
+from symhaptic.paper.propositions.comparison import passive
+from symhaptic.proof.theorems.roots import opposite
 
 
 def derive(page):
@@ -94,3 +81,130 @@ def settle_figures(page):
         note="Fig. 4 is (7), the principal sheet; whether the others are drawn from it or from "
         "the exact plant cannot be told from the text",
     )
+
+
+# (18) to the letter, with all sheets of z^d: what of an even denominator no wall can meet.
+
+p, q = Symbol("p"), Symbol("q")
+EVEN = (2 * p + 1) / (2 * q + 2)
+"""A delay with an even denominator, in lowest terms, too."""
+WALLS = (alpha, beta, gamma, delta, p, q)
+
+
+def letter(late: Expr) -> Predicate:
+    """Stable as the paper reads it."""
+    return Predicate("stable_substituted", (), (alpha, beta, gamma, delta, late))
+
+
+GIVEN = (gamma >= 0, whole(p), whole(q), letter(EVEN))
+WITHIN = And(tuple(map(proposition, (gamma > 0, alpha > -gamma, alpha < gamma))))
+
+
+def only_within_the_spring() -> Proposition:
+    """A wall is stable to the letter only if gamma > 0 and |alpha| < gamma."""
+    return every(WALLS, GIVEN, WITHIN)
+
+
+@cache
+def within_the_spring() -> Theorem:
+    """That: p(1) > 0 at w = 1, and with the sign of the highest power at w = -1."""
+    over_, under = 2 * p + 1, 2 * q + 1
+    found = axiom("loop in w", *(alpha, beta, gamma, delta, EVEN), *NUMBERS, over_, under)
+    known = [assume(whole(s)) for s in (p, q)]
+    count = closed(positive(q + 1 > 0, [q >= 0], [S.One]), axiom("not negative", q))
+    divisor = positive(Ne(2 * q + 2, 0), [Integer(2), count])
+    ratio = identity(EVEN * (under + 1), over_)
+    steps = [is_whole(s, *known) for s in (over_, under)]
+    found = closed(found, ratio, *steps)
+    inside = mp(found, assume(letter(EVEN)))
+    first, other = (
+        conjunct(signs, signs.conclusion.parts[0])
+        for signs in (first_minors(t, 0) for t in (inside, opposite(inside)))
+    )
+    static = device_static(assume(DEVICE))
+    total = n_1 + n_0
+    spring = positive(gamma * total > 0, [S.Half, first], [S.Half, other], [static, S.One])
+    stiff = strictly(positive(gamma >= 0, gamma >= 0), factor(gamma, spring, total))
+    pushed = closed(over(gamma * total / gamma > 0, spring, stiff), positive(Ne(gamma, 0), [stiff]))
+    apart = positive(Ne(total, 0), [pushed])
+
+    def share(claim: Expr, known: Theorem) -> Theorem:
+        room = positive(total * claim > 0, [known], [static, S.One])
+        return closed(over(total * claim / total > 0, room, pushed), apart)
+
+    pushes, pulls = share(gamma + alpha, first), share(gamma - alpha, other)
+    within = conj(stiff, positive(alpha > -gamma, [pushes]), positive(alpha < gamma, [pulls]))
+    powers = [is_whole(h.of[0], *known) for h in within.hypotheses if _exponent(h)]
+    found = choose(device_exists(gamma, delta, NUMBERS), closed(within, *powers, divisor))
+    return for_all(WALLS, GIVEN, found)
+
+
+def _exponent(claim: Proposition) -> bool:
+    return isinstance(claim, Predicate) and claim.name == "whole" and claim.of[0] not in (p, q)
+
+
+# -- the figures -----------------------------------------------------------------------
+
+DELAYS = (HALF, HALF / 2)
+DRAWN = {gamma: Rational(1, 1000), delta: Rational(1, 50)}
+"""The device of Fig. 11."""
+FREE = DRAWN | {gamma: S.Zero}
+"""The same without a spring, one of those that Fig. 13 is about."""
+STIFF = {alpha: Rational(1, 100), beta: S.Zero}
+"""A wall that meets (5), ten times as stiff as the spring of Fig. 11."""
+
+
+def not_those_drawn() -> Proposition:
+    """To the letter, of half and a quarter of a period: in Fig. 11 a wall that meets (5) is not
+    stable, which the text excludes, and without a spring, in Fig. 13, no wall is stable."""
+    return both(c for late in DELAYS for c in (_some_wall(late), _no_wall(late)))
+
+
+def _some_wall(late: Expr) -> Proposition:
+    return Exists((alpha, beta), And((passive(), Not((letter(d),)))).at(DRAWN | {d: late}))
+
+
+def _no_wall(late: Expr) -> Proposition:
+    return ForAll((alpha, beta), Not((letter(late).at(FREE),)))
+
+
+@cache
+def drawn_otherwise() -> Theorem:
+    """That, by the spring that a stable wall may not exceed."""
+    found = []
+    for late in DELAYS:
+        point = DRAWN | STIFF | {d: late}
+        stiff = number(Relation(point[gamma], "<=", point[alpha]))
+        there = conj(met(point, *_in_terms(late)), _beyond(point, stiff))
+        found.append(exists(there, _some_wall(late), STIFF))
+        free = {alpha: alpha, beta: beta, **FREE, d: late}
+        found.append(gen(_beyond(free, number(Relation(S.Zero, "<=", S.Zero))), alpha, beta))
+    return conj(*found)
+
+
+def _beyond(point: Mapping[Symbol, Expr], denial: Theorem) -> Theorem:
+    """Not stable to the letter, since a condition for that is denied."""
+    values = {s: point[s] for s in (alpha, beta, gamma, delta)}
+    values |= {p: S.Zero, q: 1 / (2 * point[d]) - 1}
+    stable = letter(EVEN).at(values)
+    given = [fact(proposition(c).at(values)) for c in GIVEN[:-1]]
+    within = at(within_the_spring(), values, *given, assume(stable))
+    return not_intro(within, not_all(within.conclusion, denial), stable)
+
+
+def _in_terms(late: Expr) -> list[Any]:
+    """The margin of the stiff wall in hundredths, with x = cos(late omega): all in squares.
+
+    Of half a period 1 + (1 - x), of a quarter 1 + (1 - x) + 1/(4 x).
+    """
+    slow, share = late * omega, STIFF[alpha]
+    x = cos(slow)
+    falls = positive(1 - x >= 0, [HALF, square(1 - x)], [HALF, bounded(cos, slow)])
+    terms: list[Any] = [[share], [share, falls]]
+    if late == HALF / 2:
+        low = positive(slow > -pi / 2, [late, omega > 0], [HALF, PI])
+        high = positive(slow < pi / 2, [late, omega < pi], [late, PI])
+        along = closed(sign_of(cos, slow), low, high)
+        quarter = closed(over(1 / x > 0, one(), along), positive(Ne(x, 0), [along]))
+        terms.append([share / 4, quarter])
+    return terms

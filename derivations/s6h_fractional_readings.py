@@ -4,15 +4,10 @@ Of the roots of the polynomial in $\zeta$, $z=\zeta^q$, only those may be meant 
 principal root of $z$. That is not the delayed force either, and we ask how far it is from it.
 """
 
-from sympy import I, Rational, pi, symbols
-
 from symhaptic.book.figures.fractional import stable_readings
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.principal import both_errors, read_wrongly
 from symhaptic.model import fractional, plant
-from symhaptic.model.parts import Parts
-from symhaptic.notation import alpha, beta, gamma, l, x, y, z
-
-HALF = Rational(1, 2)
 
 
 def derive(page):

@@ -4,16 +4,9 @@ The text bounds $\gamma$ by an interval of numbers. By (30) the bound is
 $\pi^2+\frac14\delta^2$, and it is this number that lies in the interval.
 """
 
-from sympy import Rational, S
-
-from symhaptic.book.lemmas.slips import neither_end
-from symhaptic.notation import delta, gamma
-from symhaptic.paper.propositions.slips import END, ENDS, within
-from symhaptic.proof.theorems.familiar import square
-from symhaptic.proof.theorems.judge import Case, taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, conj
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import either_way, example, for_all, positive
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation.proposition import TRUE
+from symhaptic.paper.propositions.slips import END, ENDS, below, within
 
 
 def derive(page):
@@ -49,3 +42,28 @@ def derive(page):
         unless=[Case(beyond, neither_end())],
         shows=r"$\delta=0$, $\gamma=\pi^2+0.0001$ is beyond (30)",
     )
+
+
+# Why neither end of the interval of Sec. V-C will do.
+
+
+def neither_end() -> Theorem:
+    """Not for the lower end, where delta is 0.02, nor for the upper one, where it is 0."""
+    low, high = (below(end) for end in ENDS)
+    damped, undamped = ({gamma: ENDS[1], delta: value} for value in (END, S.Zero))
+    false = [clash(low, damped, 0), clash(high, undamped, 1)]
+    claim = CLAIMED["s5c-interval"](())
+    never = disj_cases(assume(claim), *false)
+    return not_intro(contr(never, TRUE), contr(never, Not((TRUE,))), claim)
+
+
+def clash(claim: Proposition, values: Terms, holds: int) -> Theorem:
+    """Falsehood from an equivalence of which just one side, the one that ``holds``, is true."""
+    _, given, same = taken_apart(claim)
+    inside = [fact(p.at(values)) for p in given]
+    there = at(assume(claim), values, *inside)
+    sides = same.at(values).parts
+    other = mp(there, fact(sides[holds]))
+    wrong = sides[1 - holds]
+    assert isinstance(wrong, Relation)
+    return not_intro(other, fact(Relation(wrong.right, "<", wrong.left)))

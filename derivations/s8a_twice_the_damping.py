@@ -4,14 +4,9 @@ Colgate and Schenkel found this limit of a passive wall without delay, for a wal
 damping. It is used for walls with a delay, too. For which is it safe?
 """
 
-from sympy import Eq, S
-
 from symhaptic.book.lemmas.circulation import outside, twice_the_damping
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.sources import CLAIMED, STATEMENTS
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 RULE = "rules:twice-damping"
 

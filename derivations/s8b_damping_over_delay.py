@@ -5,14 +5,9 @@ this is the linear condition, and the plainest rule for a loop with a delay. It 
 damping like that of the device. How much of it may be put in?
 """
 
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.circulation import damping_over_delay, outside
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.sources import CLAIMED, STATEMENTS
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 RULE = "rules:damping-over-delay"
 RANGE = b * d / (2 * d + 3) >= B

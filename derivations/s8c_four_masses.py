@@ -4,14 +4,9 @@ The rule knows the mass and the period, and neither damping nor delay. We hold i
 plainest device that it could be meant for, a free mass without delay.
 """
 
-from sympy import S
-
 from symhaptic.book.lemmas.circulation import NOTHING, never_undamped, outside
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.sources import CLAIMED, STATEMENTS
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import counterexample, every, example, for_all
 
 RULE = "rules:four-masses"
 WALL = {K: S.One, B: S.Zero, T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero}

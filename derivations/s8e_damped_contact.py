@@ -4,15 +4,10 @@ The rule is found in simulation code for the spring and the damper of a contact,
 free mass has an exact limit, which we derive beside it.
 """
 
-from sympy import S
-
 from symhaptic.book.lemmas.circulation import damped_contact, free_mass, outside
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.sources import CLAIMED, STATEMENTS
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m
 from symhaptic.paper.reading import read
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 RULE = "rules:damped-contact"
 RIGHT = r"K < \frac{2B(2m-BT)}{T(2m+BT)}"

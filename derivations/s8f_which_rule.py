@@ -4,9 +4,7 @@ The rules of this part, beside the exact limits of this book, by what one has to
 are for a wall that pushes, $K>0$, and every one in the table is safe as it stands there.
 """
 
-from sympy import Rational, S, pi, tan
-
-from symhaptic.notation import B, K, T, b, d
+from symhaptic.book.lemmas.prelude import *
 
 
 def derive(page):

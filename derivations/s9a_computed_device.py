@@ -6,9 +6,8 @@ power series everywhere. Both are held against each other, the number that is co
 number that was derived.
 """
 
-from sympy import S, symbols
-
 from symhaptic.book.lemmas.computed import settle, upright
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_device import (
     CONDITIONS,
     DERIVED,
@@ -30,7 +29,6 @@ from symhaptic.forms.entire import (
 )
 from symhaptic.model import plant
 from symhaptic.model.parts import FULL
-from symhaptic.notation import a, c, delta, e, gamma, n_0, n_1, z
 
 OWN = (
     (PlantN1, "A function is the way under a force that is held for a period"),

@@ -4,13 +4,10 @@ The explicit boundary has a quotient of two polynomials on the unit circle, whic
 of cosines near the angle 0. They are computed with half the angle, so that nothing cancels there.
 """
 
-from sympy import I, cos, sin
-
 from symhaptic.book.lemmas.computed import settle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_boundary import BOUNDARY, LATE_BOUNDARY
 from symhaptic.forms.entire import CosNext, SinNext
-from symhaptic.model.passivity import on_circle
-from symhaptic.notation import a, d, e, m_0, m_1, m_2, n_0, n_1, theta, z
 
 UNDEFINED = "wherever nothing in either is divided by zero"
 

@@ -4,15 +4,12 @@ On the explicit boundary the stiffness rises from the origin to a maximum. The s
 for the sign of a slope, which is computed as a sum of products.
 """
 
-from sympy import I, cos, tan
-
 from symhaptic.book.lemmas import stable_slope
 from symhaptic.book.lemmas.computed import settle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_slope import EARLY, SEARCHED, UNDELAYED
 from symhaptic.model import boundary
-from symhaptic.model.passivity import on_circle
 from symhaptic.model.plant import Sampled
-from symhaptic.notation import a, d, e, n_0, n_1, t, theta, z
 
 DEVICE = Sampled(n_1, n_0, a, e)
 UNDEFINED = "wherever nothing in either is divided by zero"

@@ -5,14 +5,12 @@ a difference of such quotients. Both are computed with functions that have no po
 products with the delay are not rounded.
 """
 
-from sympy import S, cos, sin
-
 from symhaptic.book.lemmas.computed import settle, upright
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_need import MARGIN, NEEDS, straight
 from symhaptic.forms import required_damping
 from symhaptic.forms.entire import Chord, CosNext, Sinc, SinNext, Spread
 from symhaptic.model import fractional, passivity
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, l, psi, theta
 
 UNITS = {K: alpha, B: beta, T: S.One, b: delta}
 TURNED = (

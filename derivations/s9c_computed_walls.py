@@ -4,13 +4,11 @@ The envelope of the passive walls, the stiffest of them and the linear condition
 denominators vanish with the angle. They are computed as quotients of functions that do not.
 """
 
-from sympy import Rational, S, sin, tan
-
 from symhaptic.book.lemmas.computed import settle, upright
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_walls import LATE_STIFFEST, LINEAR, STIFFEST, TOUCHED, WORST
 from symhaptic.forms.entire import Chord, Sinc, SinNext, Spread
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, psi, theta
 
 UNITS = {K: alpha, B: beta, T: S.One, b: delta}
 UNDEFINED = "wherever nothing in either is divided by zero"

@@ -6,7 +6,8 @@ from chapters import chapter
 from symhaptic.book.chapters import shipped
 from symhaptic.paper import STATEMENTS
 
-LONGEST = 175
+LONGEST = 350
+"""Lines of a chapter, with the lemmas that it alone uses."""
 
 DEFINITIONS = [
     "eq1",

@@ -1,7 +1,5 @@
 """Polygons inside and around the stable regions of one arm, for whole delays."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.figure9 import right_of_the_line
 from symhaptic.book.lemmas.more_damped import more_damped_is_stable

@@ -1,10 +1,8 @@
 """Bounds of gamma and delta by what arm and device have on their own."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation import b, second
-from symhaptic.paper.propositions.arm import x, y, y_D, y_H
+from symhaptic.paper.propositions.arm import y_D, y_H
 
 PLAIN = dict.fromkeys((T, m_D, m_H, b_D, b_H, k_H, delta), S.One) | {gamma: S.Half}
 """An arm and a device in ones."""
@@ -123,7 +121,8 @@ def within(spring: Expr, damper: Expr, device: Expr) -> list[Theorem]:
     From limits in units of a second: of the arm's stiffness and damping per mass, and of the
     device's damping per mass.
     """
-    here = MASSES.and_(T > 0, second > 0, T**2 > 0)
+    here = MASSES.and_(T > 0, second > 0)
+    here.have(T**2 > 0)
     rate = here.have(1 / second > 0)
     stiff, both = spring / second**2, (damper + device) / second
     soft, calm, light = (

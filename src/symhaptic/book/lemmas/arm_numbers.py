@@ -1,16 +1,12 @@
 """The signs of an arm's numbers, for all arms that swing by less than half a turn in a period."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import linear
 from symhaptic.model.plant import Sampled
-from symhaptic.notation import u
 from symhaptic.proof.theorems.analysis import grows
 from symhaptic.proof.theorems.samples import after_a_blow
 
-HALF = S.Half
 SLOW = Relation(gamma - delta**2 / 4, "<", pi**2)
 ARM = (DEVICE, gamma >= 0, delta >= 0, SLOW)
 TOTAL = n_1 + n_0

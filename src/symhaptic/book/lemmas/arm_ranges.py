@@ -1,9 +1,6 @@
 """Signs in the units of a device and an arm within the paper's range (23)."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import b
 
 FIFTIETH = Rational(1, 50)
 """The largest delta of (23)."""

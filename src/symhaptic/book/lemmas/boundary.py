@@ -1,19 +1,8 @@
 """The walls that put a zero of the loop at exp(j theta), and where that curve begins."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model.passivity import mirror
-from symhaptic.paper.propositions.stability import (
-    SQUARE,
-    at_angle,
-    damping,
-    on_boundary,
-    stiffness,
-)
-
-HALF = S.Half
+from symhaptic.paper.propositions.stability import SQUARE, at_angle, damping, on_boundary, stiffness
 
 
 @cache

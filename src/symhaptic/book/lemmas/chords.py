@@ -3,13 +3,10 @@
 Each theorem is about psi, and given at any angle, under N > 2, 0 < psi and N psi < pi there.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.analysis import grows
 
-HALF = S.Half
 PI = number(Relation(S.Zero, "<", pi))
 HERE = Given(N > 2, psi > 0, N * psi < pi)
 BEFORE = Given(N > 2, phi > 0, phi < psi, N * psi < pi)

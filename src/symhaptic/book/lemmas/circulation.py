@@ -1,7 +1,5 @@
 """What the rules in circulation allow: walls with a margin at every angle, and a free mass."""
 
-from __future__ import annotations
-
 from sympy import cancel
 
 from symhaptic.book.lemmas.linear_part import margin_below
@@ -9,11 +7,9 @@ from symhaptic.book.lemmas.passive_is_stable import MARGIN, passive_is_stable
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.scaling import moved
-from symhaptic.notation import b
 from symhaptic.proof.theorems.definitions import loop
 from symhaptic.rules.claims import EXACT, STABLE, UNITS
 
-HALF = S.Half
 FREE = (alpha, beta, S.Zero, S.Zero, S.Zero)
 """A free mass without delay."""
 
@@ -32,10 +28,7 @@ def _stable(margins: Theorem, *known: Any) -> Theorem:
 def _undelayed_angles() -> tuple[Theorem, Theorem]:
     """sin((d + 1/2) theta) = sin(theta/2) and cos((d + 1) theta) = cos theta, for d = 0."""
     place, late = Symbol("q"), assume(Relation(S.Zero, "=", d))
-    sides = (
-        (sin((place + HALF) * theta), sin(theta / 2)),
-        (cos((place + 1) * theta), cos(theta)),
-    )
+    sides = ((sin((place + HALF) * theta), sin(theta / 2)), (cos((place + 1) * theta), cos(theta)))
     found = [
         subst(Relation(turned, "=", plain), place, identity(plain, plain), late)
         for turned, plain in sides

@@ -1,7 +1,5 @@
 """What a statement on a computed form says, and its theorem: its pairs, block by block."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Later
 from symhaptic.book.page import Page

@@ -1,7 +1,5 @@
 """Systems side by side and fed back to each other are passive if each of them is."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.late_passive_is_stable import late_passive_is_stable
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.comparison import LOOP, PASSIVE_WALL
@@ -22,7 +20,7 @@ from symhaptic.proof.theorems.definitions import loop
 
 NO_CHAIN = KIND < CHAIN
 HELD = alpha + gamma > 0
-DAMPED = delta > 0
+DAMPED_DEVICE = delta > 0
 
 
 @cache
@@ -70,7 +68,7 @@ def passive_wall_is_stable() -> Theorem:
     turns = closed(with_rest(d, S.One, l), one())
     behind = {alpha: alpha, beta: beta, gamma: gamma, delta: delta, l: l, epsilon: d - l}
     given = [
-        *map(assume, (gamma >= 0, DAMPED, HELD, whole(l))),
+        *map(assume, (gamma >= 0, DAMPED_DEVICE, HELD, whole(l))),
         combined(d - l >= 0, [assume(l <= d)]),
         combined(d - l < 1, [assume(d < l + 1)]),
         assume(PASSIVE_WALL),

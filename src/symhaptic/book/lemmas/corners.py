@@ -3,8 +3,6 @@
 Without delay, N = 2, the envelope is a single wall, which leaves no margin at any angle.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import sine, size, width
 from symhaptic.book.lemmas.envelope import damping, divisor, line, stiffness
 from symhaptic.book.lemmas.prelude import *

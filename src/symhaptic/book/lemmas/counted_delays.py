@@ -1,7 +1,5 @@
 """A whole delay is one of the first few, or longer."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.marginal import behind
 from symhaptic.book.lemmas.prelude import *
 

@@ -4,8 +4,6 @@ The device has a = 1 + e and 1 - e = delta (n_1 + n_0), so that Jury's inequalit
 n_0 and delta.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.arm_numbers import pushed
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
@@ -18,7 +16,6 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
     towards,
 )
-from symhaptic.notation import u
 from symhaptic.proof.theorems.samples import after_a_blow
 
 FREE = {gamma: S.Zero}
@@ -34,8 +31,7 @@ WALLS = both([alpha > 0, beta > -delta, Relation(S.Zero, "<", MINOR)])
 @cache
 def slow() -> Theorem:
     """It swings less than half a turn in a period, as it does not swing at all."""
-    quarter = number(Relation(S.Zero, "<", sp.pi**2))
-    return positive(-(delta**2) / 4 < sp.pi**2, [Rational(1, 4), square(delta)], [quarter])
+    return show(-(delta**2) / 4 < pi**2, square(delta))
 
 
 @cache
@@ -88,17 +84,11 @@ def needed() -> Theorem:
     toward = closed(light(toward), light(low), light(high))
     first, second, _ = signs()
     rise = positive(TOTAL > 0, [first], [second])
-    stiff = over(alpha > 0, said_of(TOTAL * alpha > 0, light(planes[0])), rise)
+    stiff = by_multiple(alpha > 0, rise, [said_of(TOTAL * alpha > 0, light(planes[0]))])
     kept = said_of(Relation(S.Zero, "<", MINOR), light(minor))
-    lost = combined(
-        Relation(MINOR, "<", S.Zero),
-        [rise, assume(beta <= -delta), light(inside)],
-        [second, stiff, toward],
-    )
-    wanted = Relation(-delta, "<", beta)
-    contrary = contr(not_intro(kept, lost), wanted)
-    damped = disj_cases(ordered(-delta, beta), assume(wanted), contrary)
-    return closed(conj(stiff, damped, kept), not_zero(rise), not_zero(second))
+    lost = positive(MINOR < 0, [rise, beta <= -delta, light(inside)], [second, stiff, toward])
+    damped = by_contradiction(-delta < beta, kept, lost)
+    return closed(conj(stiff, damped, kept), not_zero(second))
 
 
 @cache
@@ -114,30 +104,28 @@ def enough() -> Theorem:
     soft = light(on_box((2 + e) * n_0 - n_1, LIGHT))
     soft = said_of(3 * n_0 - delta * TOTAL * n_0 - n_1 > 0, soft)
     both_ = positive(TOTAL * (beta + delta) > 0, [rise, brake])
-    product = positive(TOTAL * (beta + delta) * (1 - n_0 * beta) > 0, [last], [second, push, above])
-    edge = over(1 - n_0 * beta > 0, product, both_)
+    edge = by_multiple(1 - n_0 * beta > 0, both_, [last], [second, push, above])
     loop = inst(by_inequalities(0), FREE)
     at_one, at_half, flat, minor = loop.conclusion.of[1].parts  # type: ignore[attr-defined]
     plane = _of_damped(at_half)
     plane = positive(plane > 0, [2, rise, brake], [apart, push])
     third = _of_damped(flat)
     scale = positive((1 + delta * n_0) * n_0 * (1 + n_1 * beta) > 0, [more, second, above])
-    product = positive(
-        (1 + delta * n_0) * n_0 * (1 + n_1 * beta) * third > 0,
+    third = by_multiple(
+        third > 0,
+        scale,
         [more, apart, last],
         [4, edge, second, still, less],
         [2, brake, rise, soft],
         [more, apart, apart, brake, edge],
     )
-    third = over(third > 0, product, scale)
     found = conj(
         said_of(at_one, positive(TOTAL * alpha > 0, [rise, push])),
         said_of(at_half, plane),
         said_of(flat, third),
         said_of(minor, last),
     )
-    divisors = map(not_zero, (both_, scale))
-    return closed(mp(loop, found), *divisors)
+    return mp(loop, found)
 
 
 def _of_damped(claim: Any) -> Expr:

@@ -1,7 +1,5 @@
 """Walls that no boundary parts from a stable wall are stable, for every plant and whole delay."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_is_stable import LOOP, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.plots import enclosed

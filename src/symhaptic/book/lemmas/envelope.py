@@ -4,8 +4,6 @@ With u = KT/(2b) and w = (B + KT/2)/b the margin of a wall is b F, F = line(u, w
 theta/2 and N = 2(d+1).  The envelope is (u, w) = (stiffness(phi), damping(phi)).
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import bend, lemma, sine, size, width
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.analysis import grows

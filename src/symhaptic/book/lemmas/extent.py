@@ -4,12 +4,8 @@ With u = KT/2 >= 0 and w = B + KT/2 the margin is margin(psi) = b - u cot psi si
 w cos N psi, for psi = theta/2 and N = 2(d+1) >= 2; all numbers are real.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import lowest_coefficients
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import b, u, w
-from symhaptic.proof.theorems.familiar import bounded
 
 HERE = Given(N >= 2)
 QUARTER = Given(psi > 0, psi < pi / 2)
@@ -77,9 +73,7 @@ def repeated() -> Theorem:
     first = first_half_turn()
     known = at(assume(first), {phi: low}, here.show(low > 0), here.show(N * low < pi))
     falls = over(
-        cos(low) / sin(low) - cos(psi) / sin(psi) > 0,
-        sin(psi - low) > 0,
-        sin(low) * sin(psi) > 0,
+        cos(low) / sin(low) - cos(psi) / sin(psi) > 0, sin(psi - low) > 0, sin(low) * sin(psi) > 0
     )
     by_sine, by_cosine = same_turn()
     found = combined(

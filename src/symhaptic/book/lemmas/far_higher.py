@@ -1,7 +1,5 @@
 """How many times as stiff, and as damped, stable walls can be as passive ones, in numbers."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
 from symhaptic.book.lemmas.passive_tip import at_unit, is_passive, passive_tip, softer_than_the_tip
 from symhaptic.book.lemmas.prelude import *
@@ -9,8 +7,7 @@ from symhaptic.book.lemmas.ratio_peak import LIMIT, SPRUNG, least
 from symhaptic.book.lemmas.region import limits, pushes
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.book.lemmas.stiffness_claims import beside
-from symhaptic.notation import b
+from symhaptic.book.lemmas.stiffness_claims import beside, from_bound
 from symhaptic.paper.propositions import far_higher
 from symhaptic.paper.propositions.far_higher import (
     LEFT,
@@ -21,7 +18,6 @@ from symhaptic.paper.propositions.far_higher import (
     stiffer_than_passive,
 )
 from symhaptic.paper.propositions.ratio import BEST, RATE, WALL, outdoes, passive, stable
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 
 @cache
@@ -54,17 +50,13 @@ def in_numbers(spring: Expr, delay: int) -> Theorem:
     low = Rational(RATIOS[spring][delay])
     wall, held = wall_below(arm, delay, FINE)
     limit, softer = none_above(arm, delay, FINE)
-    most = least(delay)
-    above = number(Relation(S.Zero, "<", wall[0] - low * most.conclusion.right))  # type: ignore[attr-defined]
     here = {d: S(delay), RATE: low + UNIT, LIMIT: limit, gamma: spring, delta: DAMPED}
     under = inst(beside_the_tip(), here)
     stable_ = stable(delay).at({gamma: spring, delta: DAMPED})
     rest = [fact(p) for p in under.hypotheses if isinstance(p, (Relation, Predicate))]
     under = closed(under, for_all(WALL, [stable_], softer), *rest)
     assert under.conclusion == less
-    return conj(
-        beside(more, held, wall, lambda wanted: combined(wanted, [low, most], [above])), under
-    )
+    return conj(beside(more, held, wall, from_bound(least(delay))), under)
 
 
 @cache
@@ -110,12 +102,6 @@ def left_by_one_period() -> Theorem:
         walls = {n: wall_below(arm, n, FINE) for n in (0, 1)}
         bounds = {n: none_above(arm, n, FINE) for n in (0, 1)}
         for late, other in ((1, 0), (0, 1)):
-            (wall, held), (limit, softer) = walls[late], bounds[other]
-            parts.append(beside(next(claims), held, wall, partial(_below, wall, limit, softer)))
+            (wall, held), (_, softer) = walls[late], bounds[other]
+            parts.append(beside(next(claims), held, wall, from_bound(softer)))
     return conj(*parts)
-
-
-def _below(wall: Any, limit: Expr, softer: Theorem, wanted: Any) -> Theorem:
-    """c alpha < g x for all stable walls of another delay, alpha < L and x a number."""
-    share = wanted.left.coeff(alpha)
-    return combined(wanted, [share, softer], [wanted.right - share * limit])

@@ -1,17 +1,14 @@
 """What faster sampling gains at the same delay: little at ten periods, much at one."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.counted_delays import counted
 from symhaptic.book.lemmas.figure9 import valued
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import least
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, passive_walls
+from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, from_bound, passive_walls
 from symhaptic.paper.propositions.conclusion import FASTER, LITTLE
 from symhaptic.paper.propositions.ratio import BEST, WALL
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 LATE, TIMES = 10, 10
 """So many periods of delay, and at most so many times as fast."""
@@ -59,21 +56,11 @@ def _at(point: dict[Any, Expr], claim: Any) -> Theorem:
     best = numbers_known(best)
     values: Any = tuple(v.xreplace({delta: damper}) for v in wall)
     softest = least(late * int(times), later[1])
-
-    def below(wanted: Any) -> Theorem:
-        rest = Relation(S.Zero, "<=", wanted.right - times**2 * softest.conclusion.right)  # type: ignore[attr-defined]
-        return positive(wanted, [times**2, softest], [number(rest)])
-
     held, stable = wall_below((point[gamma], damper), late)
-    limit, bounded = none_above(later, late * int(times))
+    _, bounded = none_above(later, late * int(times))
     return conj(
-        beside(passive_, best, values, below),
-        beside(
-            stable_,
-            stable,
-            held,
-            lambda wanted: positive(wanted, [times**2, bounded], [wanted.right - times**2 * limit]),
-        ),
+        beside(passive_, best, values, from_bound(softest)),
+        beside(stable_, stable, held, from_bound(bounded)),
     )
 
 

@@ -1,7 +1,5 @@
 """Fig. 10: the boundary for ten plants, and the walls on it whose linear condition errs so much."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.figure9 import each_value, right_of_the_line
@@ -13,7 +11,6 @@ from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.bounds.linear_points import Arc, points
 from symhaptic.paper.propositions.plots import BEFORE, BESIDE, LEVELS
 from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
-from symhaptic.paper.ranges import STIFF
 
 FAR = -Rational(1, 10**5)
 """Marks next to the corner lie left of this, and are not drawn."""
@@ -39,11 +36,7 @@ def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
     angle = angle_of(damper, delay, level)
     size, half = SQUARE.xreplace({theta: angle}), cos(angle / 2)
     along, across = (f(S(delay)).xreplace({theta: angle}) for f in (stiffness, damping))
-    wall = {
-        theta: angle,
-        BESIDE[0]: along / (half * size),
-        BESIDE[1]: across / (sin(angle) * size),
-    }
+    wall = {theta: angle, BESIDE[0]: along / (half * size), BESIDE[1]: across / (sin(angle) * size)}
     below = half * sin(angle) * size
 
     def on_curve(expr: Expr) -> Theorem:

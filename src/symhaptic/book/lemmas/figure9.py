@@ -1,7 +1,5 @@
 """Fig. 9: what bounds the stable walls one and two periods late, at the four limits of (23)."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
 from symhaptic.book.lemmas.one_plane import stable_curve
@@ -11,7 +9,6 @@ from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant, on_box
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import BESIDE, THIN
-from symhaptic.paper.ranges import STIFF
 
 NEAR = {1: Rational(3, 10), 2: Rational(1, 4)}
 """The virtual damping of a stable wall next to the left bound."""

@@ -5,30 +5,25 @@ v = exp(j psi) that of a wall which is weaker by MU : KAPPA.  Where f is zero, F
 inside says (l + 2) (1 + KAPPA/MU)/2 < w, and w is the rise of the phase of W with 2 psi.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.principal import FREE, true_loop
-from symhaptic.model.passivity import mirror
-from symhaptic.proof.theorems.familiar import bounded
 
 q, n, u = (Symbol(name) for name in "qnu")
-HALF = Rational(1, 2)
 LOOP = (alpha, beta, S.Zero, S.Zero, l + HALF)
 TRUE = Predicate("stable_loop", (), LOOP)
 WALL = {alpha: alpha, beta: beta}
-STIFF = alpha + beta
-"""W = STIFF z - beta."""
+PUSH = alpha + beta
+"""W = PUSH z - beta."""
 
 TURN = exp(2 * I * psi)
 C = cos(psi)
 MU, TERM = (1 + C**2) / 2, (1 - C) ** 2 / 2
 """M/z and (v-1)^4/(8 z) at v = exp(j psi), which are real."""
 KAPPA = MU - q * TERM
-W = STIFF * TURN - beta
-SIZE = alpha**2 + 2 * beta * STIFF * (1 - cos(2 * psi))
+W = PUSH * TURN - beta
+SIZE = alpha**2 + 2 * beta * PUSH * (1 - cos(2 * psi))
 """|W|^2."""
-RISE = STIFF * (STIFF - beta * cos(2 * psi))
+RISE = PUSH * (PUSH - beta * cos(2 * psi))
 """w |W|^2."""
 LEAD = 2 * MU * RISE - (l + 2) * (MU + KAPPA) * SIZE
 SQUARE = 4 * sin(psi) ** 2
@@ -40,7 +35,7 @@ ZERO = Relation(KAPPA * W - SQUARE * exp(2 * I * (l + 2) * psi), "=", S.Zero)
 def path(w: Expr) -> Expr:
     """f at v = exp(w)."""
     turn = exp(2 * w)
-    wall = STIFF * turn - beta
+    wall = PUSH * turn - beta
     loop = exp(2 * w * (l + 2)) * (turn - 1) ** 2 + (turn**2 + 6 * turn + 1) / 8 * wall
     return loop - q * (exp(w) - 1) ** 4 * wall / 8
 
@@ -61,7 +56,7 @@ def pushes() -> tuple[Theorem, Theorem, Theorem]:
     static, slope = (conjunct(found, claim) for claim in found.conclusion.parts)
     spring = combined(alpha > 0, [static])
     brake = combined(beta > 0, [HALF, slope], [HALF, late(), spring])
-    return spring, brake, positive(STIFF > 0, [spring], [brake])
+    return spring, brake, positive(PUSH > 0, [spring], [brake])
 
 
 def late() -> Theorem:
@@ -80,7 +75,7 @@ def leads() -> Theorem:
     room, turned = outpaces(zeros(), 2 * psi), exp(2 * I * (l + 2) * psi)
     plant, push = turned * (TURN - 1) ** 2, MU * TURN * W
     speed = turned * ((l + 4) * TURN**2 - 2 * (l + 3) * TURN + l + 2)
-    speed += (TURN + 3) / 4 * TURN * W + MU * TURN * STIFF * TURN
+    speed += (TURN + 3) / 4 * TURN * W + MU * TURN * PUSH * TURN
     speed -= (l + 4) / 2 * (plant + push)
     rate = l + 3 - I * C / sin(psi) - (l + 4) / 2
     beside = (mirror(speed) + q * TERM * mirror(TURN * W) * rate) * TURN
@@ -177,7 +172,7 @@ def on_the_ray() -> tuple[Theorem, Theorem]:
     KAPPA^2 w |W|^2 sin theta = SQUARE^2 sin((l+2) theta) cos((l+1) theta)."""
     zero, turn = assume(ZERO), 2 * (l + 1) * psi
     other = mirrored(zero)
-    across, along = KAPPA * STIFF * sin(2 * psi), KAPPA * (STIFF - beta * cos(2 * psi))
+    across, along = KAPPA * PUSH * sin(2 * psi), KAPPA * (PUSH - beta * cos(2 * psi))
     ahead = SQUARE * sin(turn + 2 * psi)
     size = combined(
         Relation(KAPPA**2 * SIZE, "=", SQUARE**2),

@@ -1,15 +1,11 @@
 """Passive walls half a period late: a quadratic in cos(theta/2)^2."""
 
-from __future__ import annotations
-
 from sympy import atan
 
 from symhaptic.book.lemmas.late_passivity import passive_late
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import b
 
-HALF = S.Half
 QUADRATIC = (
     b**2
     - b * K * T * x
@@ -155,13 +151,13 @@ def denied_at(slope: Rational, claim: Predicate, *products: Any) -> Theorem:
 
 # -- a delay that helps ----------------------------------------------------------------
 
-DAMPED = Rational(6, 5)
+DAMPER = Rational(6, 5)
 """B/b of a wall without stiffness."""
 
 
 def a_delay_helps() -> Proposition:
     """It is passive half a period late, and neither without delay nor one period late."""
-    damping = DAMPED * b
+    damping = DAMPER * b
     others = [Not((wall(S.Zero, damping, S(n)),)) for n in (0, 1)]
     return every([b, T], [T > 0, b > 0], both([wall(S.Zero, damping), *others]))
 
@@ -171,17 +167,17 @@ def delay_helps() -> Theorem:
     """That."""
     given = [T > 0, b > 0]
     late = (_whole_denied(S(n), angle) for n, angle in ((0, 5 * pi / 6), (1, pi / 2)))
-    found = conj(passive_with(S.Zero, DAMPED), *late)
+    found = conj(passive_with(S.Zero, DAMPER), *late)
     return for_all([b, T], given, add_assum(found, *given))
 
 
 def _whole_denied(late: Expr, angle: Expr) -> Theorem:
     """The damped wall is not passive behind a whole delay, by its margin at one angle."""
-    claim = wall(S.Zero, DAMPED * b, late)
+    claim = wall(S.Zero, DAMPER * b, late)
     found = mp(passive_by_angle(late), assume(wall(late=late)))
     inside = [fact(Relation(S.Zero, "<", angle)), fact(Relation(angle, "<", pi))]
     known = at(conjunct(found, found.conclusion.parts[1]), {theta: angle}, *inside)
-    margin = inst(known, {K: S.Zero, B: DAMPED * b})
+    margin = inst(known, {K: S.Zero, B: DAMPER * b})
     lost = Relation(margin.conclusion.terms[1], "<", S.Zero)
     share = number(Relation(S.Zero, "<", expand(-lost.left / b)))
     return not_intro(margin, combined(lost, [share, assume(b > 0)]), claim)

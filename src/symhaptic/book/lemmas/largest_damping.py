@@ -1,14 +1,10 @@
 """The damping of walls that meet (5), for every real delay, and the frequency that bounds it."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.extent import ends
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import DELAY, TURN, WHOLE_WALL, first_half
 from symhaptic.model import passivity
-from symhaptic.notation import b
-from symhaptic.proof.theorems.familiar import bounded
 
 
 def divisors(angle: Any) -> tuple[Theorem, ...]:

@@ -1,7 +1,5 @@
 """The walls that put a zero of a loop on the circle that is late by a fraction of a period."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.boundary import explicit_wall
 from symhaptic.book.lemmas.late_device import BOTTOM, TOP
 from symhaptic.book.lemmas.late_loop import (
@@ -15,7 +13,6 @@ from symhaptic.book.lemmas.late_loop import (
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import m_0, m_1
 
 TURN = exp(I * theta)
 A, M = (p.subs(z, TURN) for p in (BOTTOM, TOP))
@@ -26,13 +23,7 @@ SQUARE = (
     m_2**2 + m_1**2 + m_0**2 + 2 * m_1 * (m_2 + m_0) * cos(theta) + 2 * m_2 * m_0 * cos(2 * theta)
 )
 """|M|^2."""
-TERMS = {
-    3: m_0,
-    2: m_1 - a * m_0,
-    1: m_2 - a * m_1 + e * m_0,
-    0: e * m_1 - a * m_2,
-    -1: e * m_2,
-}
+TERMS = {3: m_0, 2: m_1 - a * m_0, 1: m_2 - a * m_1 + e * m_0, 0: e * m_1 - a * m_2, -1: e * m_2}
 """z A times the conjugate of M, by powers of z."""
 
 

@@ -5,15 +5,10 @@ sin^2(theta/2) the margin is b^2 + b B c - B^2 v, and by Lagrange's identity 1 +
 1 - c - 2 v are sums of two squares.
 """
 
-from __future__ import annotations
-
-from symhaptic.book.lemmas.chords import HALF
 from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.late_passivity import EVERY_MARGIN, GIVEN, MARGIN, passive_late
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import b
-from symhaptic.proof.theorems.familiar import bounded
 
 DAMPER = Predicate("passive_wall", (), (S.Zero, B, b, T, l + epsilon))
 """A wall without stiffness is passive, l + epsilon periods late."""

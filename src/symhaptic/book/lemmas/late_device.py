@@ -4,15 +4,12 @@ With the motion g(t) under a unit force from rest, n_1 = g(1), n_0 = g(2) - (1+a
 m_2 = g(1-epsilon), m_1 = g(2-epsilon) - (1+a) m_2, and m_2 + m_1 + m_0 = n_1 + n_0.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import definitions, explicit, renamed
-from symhaptic.model.parts import FULL, Parts
+from symhaptic.model.parts import FULL
 from symhaptic.model.plant import Plant, normalised
-from symhaptic.notation import m_0, m_1
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.samples import held_answer
 

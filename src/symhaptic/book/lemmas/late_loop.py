@@ -1,7 +1,5 @@
 """The polynomial z^(l+2) A + M W of a loop that is late by a fraction of a period."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.late_device import BOTTOM, TOP
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *

@@ -1,7 +1,5 @@
 """A wall that is passive behind any delay keeps every damped device stable there."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.late_boundary import A, M
 from symhaptic.book.lemmas.late_device import TOP
 from symhaptic.book.lemmas.late_loop import ALL_NUMBERS, LOOP, STABLE, numbers_of_a_late_device
@@ -15,8 +13,6 @@ from symhaptic.book.lemmas.passive_is_stable import (
 from symhaptic.book.lemmas.passivity import every_margin, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.fractional import required_straight, stiffness_squared
-from symhaptic.model.passivity import mirror
-from symhaptic.notation import b
 from symhaptic.proof.theorems.axioms import LATE_NUMBERS
 
 UNITS = {K: alpha, B: beta, b: delta, T: S.One}

@@ -1,11 +1,8 @@
 """When is a wall passive that is late by a fraction of a period?  The condition at each angle."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional
-from symhaptic.notation import b
 from symhaptic.proof.theorems.energy import toeplitz
 
 WALL = (K, B, b, T, l, epsilon)

@@ -5,11 +5,9 @@ is not negative: there the gap s_1 - delta - gamma/2 of the arm's numbers decide
 downwards it is then positive between the start and each wall at which it is positive.
 """
 
-from __future__ import annotations
-
 from sympy import div
 
-from symhaptic.book.lemmas.arm_numbers import gap, pushed
+from symhaptic.book.lemmas.arm_numbers import gap, pushed, together
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
@@ -18,13 +16,12 @@ from symhaptic.model.circle import expanded, powers
 from symhaptic.model.linear import on_the_line
 from symhaptic.paper.propositions.device import transcribed
 from symhaptic.paper.propositions.linear import safe
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 TOP = {0: Rational(72, 100), 1: Rational(16, 100)}
 """No wall that is stable is as stiff."""
 NEAR = {0: Rational(83, 100), 1: Rational(424, 1000)}
 TOTAL = n_1 + n_0
-QUARTER = Rational(1, 4)
+ARMS = Given(gamma >= 0, gamma <= STIFF, delta >= 0, delta <= DAMPED)
 AT_REST = 1 + e - gamma * TOTAL
 """a of a device beside its spring."""
 ROOM = 1 - e + gamma * n_0 - (delta + gamma / 2) * TOTAL
@@ -40,16 +37,14 @@ def below_the_top(delay: int) -> Theorem:
 @cache
 def room() -> Theorem:
     """0 <= (s_1 - delta - gamma/2) (n_1 + n_0)."""
-    first, second, _ = pushed()
-    total = positive(TOTAL > 0, [first], [second])
-    found = combined(Relation(S.Zero, "<=", ROOM), [gap(), total])
-    return closed(found, slow(), positive(Ne(TOTAL, 0), [total]))
+    found = combined(Relation(S.Zero, "<=", ROOM), [gap(), together()])
+    return closed(found, slow(), positive(Ne(TOTAL, 0), [together()]))
 
 
 def slow() -> Theorem:
     """The arms of (23) do not swing by half a turn in a period."""
     far = number(Relation(STIFF, "<", pi**2))
-    return positive(gamma - delta**2 / 4 < pi**2, [gamma <= STIFF], [far], [QUARTER, square(delta)])
+    return show(gamma - delta**2 / 4 < pi**2, gamma <= STIFF, far, square(delta))
 
 
 def start(value: Expr) -> Theorem:
@@ -87,9 +82,9 @@ def bent(value: Expr) -> Expr:
 
 def softer(value: Expr, there: Theorem, delay: int) -> Theorem:
     """0 < f(x) from 0 < f(alpha), -gamma < x and x <= alpha."""
-    above, more = positive(x + gamma > 0, -gamma < x), positive(alpha - x >= 0, x <= alpha)
+    above, more = assume(-gamma < x), assume(x <= alpha)
     first = start(expanded(value.xreplace({alpha: -gamma})))
-    length = positive(alpha + gamma > 0, [above], [more])
+    length = show(alpha + gamma > 0, above, more)
     rows: list[list[Any]] = [[above, there], [more, first]]
     curve = bent(value)
     if curve != 0:
@@ -124,14 +119,7 @@ def _stays_stable(delay: int) -> Theorem:
 def within(theorem: Theorem, delay: int) -> Theorem:
     """The stiffness of both walls is between -0.001 and the top."""
     stiff = inst(below_the_top(delay), {beta: on_the_line(alpha, delay)})
-    gap = positive(alpha - x >= 0, x <= alpha)
-    least = positive(x >= -STIFF, [positive(x + gamma > 0, -gamma < x)], [gamma <= STIFF])
-    ends = (
-        positive(alpha >= -STIFF, [gap], [least]),
-        positive(x <= TOP[delay], [gap], [stiff]),
-        positive(alpha <= TOP[delay], [stiff]),
-    )
-    return closed(theorem, *ends, least)
+    return ARMS.and_(-gamma < x, x <= alpha).closed(theorem, stiff)
 
 
 @cache
@@ -157,14 +145,8 @@ def in_the_triangle(delay: int) -> Theorem:
     there = expanded((beta + delta) / share)
     [line] = (r.subs(d, delay) for r in transcribed("eq25"))
     less = positive(there - alpha > 0, [1 / share, line])
-    above = positive(alpha + gamma > 0, -gamma < alpha)
-    most = assume(beta <= on_the_line(x, delay))
-    walls = {alpha: x, x: there}
-    on_it = closed(
-        inst(stays_stable()[delay], walls),
-        positive(-gamma < there, [less], [above]),
-        positive(there <= x, [1 / share, most]),
-    )
+    here = ARMS.and_(-gamma < alpha, line, beta <= on_the_line(x, delay))
+    on_it = here.closed(inst(stays_stable()[delay], {alpha: x, x: there}))
     loop = by_inequalities(delay)
     known = mp(inst(loop, {alpha: there}), assume(on_it.conclusion))
     wide = {**RANGES, alpha: (-STIFF, TOP[delay]), beta: DAMPING}
@@ -185,20 +167,7 @@ def in_the_triangle(delay: int) -> Theorem:
             parts.append(combined(claim, [higher], [less, down]))
     found = closed(of_every_plant(mp(loop, conj(*parts))), on_it)
     stiff = inst(below_the_top(delay), {alpha: x, beta: on_the_line(x, delay)})
-    top = positive(there <= TOP[delay], [1 / share, most], [stiff])
-    ends = (
-        top,
-        positive(alpha <= TOP[delay], [less], [top]),
-        positive(there >= -STIFF, [less], [above], [gamma <= STIFF]),
-        positive(alpha >= -STIFF, [above], [gamma <= STIFF]),
-        positive(beta <= DAMPING[1], [share, top], [delta >= 0], [DAMPING[1] - share * TOP[delay]]),
-        positive(
-            beta >= DAMPING[0],
-            *([share, less], [share, above], [share, gamma <= STIFF], [delta <= DAMPED]),
-            [-DAMPING[0] - share * STIFF - DAMPED],
-        ),
-    )
-    return closed(found, *ends, slow())
+    return here.closed(found, stiff, slow())
 
 
 _WAYS = {0: ("start", "start", "box", "down"), 1: ("start", "box", "box", "box", "down")}
@@ -212,14 +181,12 @@ def _like(claim: Proposition, known: Theorem, there: Expr) -> Proposition:
 
 def _from_the_start(value: Expr) -> list[list[Any]]:
     """p(1) = (n_1 + n_0) (alpha + gamma); or the second without delay, by the gap."""
-    first, second, _ = pushed()
-    total = positive(TOTAL > 0, [first], [second])
-    above = positive(alpha + gamma > 0, -gamma < alpha)
+    above = assume(-gamma < alpha)
     [line] = (r.subs(d, 0) for r in transcribed("eq25"))
     turn = combined(Relation(a, "=", AT_REST), [device_static(assume(DEVICE)), -1])
     if beta not in value.free_symbols:
-        return [[total, above], [turn, S.One]]
-    return [[2, room()], [2, total, assume(line)], [2, first, above], [turn, S.One]]
+        return [[together(), above], [turn, S.One]]
+    return [[2, room()], [2, together(), assume(line)], [2, pushed()[0], above], [turn, S.One]]
 
 
 @cache

@@ -1,7 +1,5 @@
 """The loop with a lag: Hurwitz' conditions, and what is left of them without damping."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import lag
 from symhaptic.notation import b, t_e

@@ -5,9 +5,7 @@ between two bounds.  There the largest of Jury's minors is what fails first, and
 stiffness.
 """
 
-from __future__ import annotations
-
-from symhaptic.book.lemmas.arm_numbers import pushed
+from symhaptic.book.lemmas.arm_numbers import pushed, together
 from symhaptic.book.lemmas.line_crossing import AT_REST, TOTAL, divided, slow
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
@@ -20,10 +18,8 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
 )
 from symhaptic.paper.propositions.linear_error import on_boundary_at as here
-from symhaptic.paper.ranges import STIFF
 from symhaptic.proof.theorems.kernel import spec
 
-HALF = S.Half
 LOW, HIGH = -Rational(3, 100), Rational(1, 10)
 """The virtual dampings of which all this is said; no stable wall with alpha > -gamma has less."""
 
@@ -63,11 +59,8 @@ def least(delay: int) -> Theorem:
     low, _, _ = damping_between(delay, RANGES)
     known = inequalities(delay)[-1]
     wide = {**RANGES, alpha: (-STIFF, TOP[delay]), beta: (-WIDEST, LOW)}
-    below = positive(beta <= LOW, beta < LOW)
-    fails = closed(on_box(-minor(delay), wide), low, below)
-    contrary = not_intro(known, combined(Relation(minor(delay), "<=", S.Zero), [fails]))
-    wanted = Relation(LOW, "<=", beta)
-    found = disj_cases(ordered(beta, LOW), contr(contrary, wanted), assume(wanted))
+    fails = Given(beta < LOW).closed(on_box(-minor(delay), wide), low)
+    found = by_contradiction(beta >= LOW, known, show(minor(delay) <= 0, fails))
     return closed(of_every_plant(found), soft())
 
 
@@ -79,7 +72,7 @@ def unstable_at_the_top(delay: int) -> Theorem:
     value = minor(delay).subs(there)
     wide = on_box(-value, {**RANGES, beta: (-WIDEST, HIGH)})
     known = inst(inequalities(delay)[-1], there)
-    contrary = not_intro(known, combined(Relation(value, "<=", S.Zero), [wide]))
+    contrary = not_intro(known, show(value <= 0, wide))
     return closed(of_every_plant(contrary), low)
 
 
@@ -93,20 +86,16 @@ def enough(delay: int) -> Theorem:
     """A wall with a positive minor is stable: -gamma < alpha, inside the box."""
     loop = by_inequalities(delay)
     goals = conjuncts(loop.conclusion.of[1])  # type: ignore[attr-defined]
-    first, second, less = pushed()
-    total = positive(TOTAL > 0, [first], [second])
-    above = positive(alpha + gamma > 0, -gamma < alpha)
+    above = -gamma < alpha
     shown = []
     for place, goal in enumerate(goals):
         value = goal.right  # type: ignore[attr-defined]
         if place == 0:
-            known = combined(goal, [total, above], turn(value))
+            known = positive(goal, [together(), above], turn(value))
         elif place == len(goals) - 1:
             known = assume(goal)
         elif (delay, place) == (0, 1):
-            known = combined(
-                goal, [2, _push()], [positive(n_1 - n_0 >= 0, [less]), above], turn(value)
-            )
+            known = positive(goal, [2, _push()], [pushed()[2], above], turn(value))
         else:
             known = combined(goal, [on_box(value, box(delay))])
         shown.append(known)
@@ -118,11 +107,8 @@ def _push() -> Theorem:
     value = minor(0)
     inside, toward = 1 - n_0 * beta, 1 + n_1 * beta
     room, way = (on_box(f, box(0)) for f in (inside, toward))
-    above = positive(alpha + gamma > 0, -gamma < alpha)
-    second = pushed()[1]
-    product = combined(
-        inside * PUSH > 0, [assume(value > 0)], [second, way, above], turn(inside * PUSH - value)
-    )
+    products = [value > 0], [pushed()[1], way, -gamma < alpha], turn(inside * PUSH - value)
+    product = positive(inside * PUSH > 0, *products)
     found = over(PUSH > 0, product, room)
     return closed(found, positive(Ne(inside, 0), [room]))
 
@@ -146,17 +132,11 @@ def on_it(delay: int) -> Theorem:
     boundary = assume(here(delay))
     left, _, every = (conjunct(boundary, claim) for claim in conjuncts(here(delay)))
     middle = (alpha - gamma) / 2
-    between = positive(middle < alpha, [HALF, left]), positive(middle > -gamma, [HALF, left])
-    inner = mp(spec(every, {x: middle}), conj(between[1], between[0]))
-    damped = closed(inst(least(delay), {alpha: middle}), inner, between[1])
-    top = TOP[delay]
-    contrary = closed(unstable_at_the_top(delay), _at(every, S(top)))
-    wanted = Relation(alpha, "<=", top)
-    low = positive(-gamma < top, [top], gamma >= 0)
-    found = disj_cases(ordered(top, alpha), contr(contrary, wanted), assume(wanted))
-    stiff = closed(found, low)
-    less = positive(middle <= top, [between[0]], [stiff])
-    return conj(stiff, closed(damped, less))
+    above, top = Given(gamma >= 0).and_(left), TOP[delay]
+    damped = closed(inst(least(delay), {alpha: middle}), _at(every, middle))
+    wrong = contr(closed(unstable_at_the_top(delay), _at(every, S(top))), alpha <= top)
+    stiff = above.closed(disj_cases(ordered(top, alpha), wrong, assume(alpha <= top)))
+    return conj(stiff, above.closed(damped, stiff))
 
 
 def _at(every: Theorem, stiffness: Expr) -> Theorem:
@@ -174,10 +154,7 @@ def level(delay: int) -> Theorem:
     end = tends(value.xreplace({alpha: x}), x, alpha, value)
     above = closed(in_the_limit(before, x, -gamma, alpha, end), left)
     stable = closed(enough(delay), left, *_inside(delay))
-    contrary = not_intro(stable, unstable)
-    wanted = Relation(value, "<=", S.Zero)
-    below = disj_cases(ordered(S.Zero, value), contr(contrary, wanted), assume(wanted))
-    return both_ways(below, above)
+    return both_ways(by_contradiction(value <= 0, stable, unstable), above)
 
 
 def _inside(delay: int) -> tuple[Theorem, ...]:
@@ -189,19 +166,12 @@ def _inside(delay: int) -> tuple[Theorem, ...]:
 def reached(delay: int) -> Theorem:
     """A wall whose minor is zero is on the boundary: -gamma < alpha, inside the box."""
     value = minor(delay)
-    zero, left = assume(Relation(value, "=", S.Zero)), assume(-gamma < alpha)
+    zero, left = assume(Eq(value, 0)), assume(-gamma < alpha)
     wall = here(delay).of[1].of[0]  # type: ignore[attr-defined]
     known = closed(inequalities(delay)[-1], assume(wall))
     unstable = not_intro(known, zero, wall)
-    less = assume(x < alpha)
-    more = positive(
-        Relation(S.Zero, "<", value.xreplace({alpha: x})), [less, falls(delay)], [zero, -1]
-    )
-    stable = inst(enough(delay), {alpha: x})
-    ends = (
-        positive(x <= TOP[delay], [less], alpha <= TOP[delay]),
-        positive(x >= -STIFF, -gamma < x, gamma <= STIFF),
-    )
-    found = closed(stable, more, *ends)
+    more = positive(value.xreplace({alpha: x}) > 0, [x < alpha, falls(delay)], [zero, -1])
+    less = Given(-gamma < x, x < alpha, alpha <= TOP[delay], gamma <= STIFF)
+    found = less.closed(closed(inst(enough(delay), {alpha: x}), more))
     every = gen(disch(found, -gamma < x, x < alpha), x)
     return closed(conj(left, unstable, every), soft())

@@ -3,13 +3,10 @@
 The wall is that whose chord y is 25 times the gap: so near to the start the gap decides.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.arm_numbers import TOTAL, gap, together
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import ROOM, slow
-from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, TOP, reached
-from symhaptic.book.lemmas.linear_far import arc, on_the_circle, quotient
+from symhaptic.book.lemmas.linear_far import OnArc, arc, quotient
 from symhaptic.book.lemmas.linear_gap import MOST, narrow
 from symhaptic.book.lemmas.linear_rays import share
 from symhaptic.book.lemmas.prelude import *
@@ -17,7 +14,7 @@ from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded
 from symhaptic.model.linear import CHORD
 from symhaptic.paper.propositions.linear import LATE
-from symhaptic.paper.propositions.linear_error import LEVEL, error, far_in_the_corner
+from symhaptic.paper.propositions.linear_error import LEVEL, far_in_the_corner
 
 TIMES, TINY = 25, Rational(1, 10**6)
 RANGE = {**RANGES, CHORD: (0, TINY)}
@@ -28,50 +25,22 @@ BY_GAP = Relation(TOTAL * CHORD, "<=", TIMES * ROOM)
 @cache
 def wall(delay: int) -> Theorem:
     """The claim for a chord that is small enough, of one delay."""
-    right, up, area = arc(delay)
-    there = {alpha: CHORD * right / area - gamma, beta: up / area}
-    stiff, damped = (assume(Relation(s, "=", w)) for s, w in there.items())
-    size, wide = on_box(area, RANGE), on_box(right, RANGE)
     chord, weight = assume(CHORD > 0), share(delay)
-
-    def by_stiffness(claim: Any, top: Theorem, share_: Any = -1) -> Theorem:
-        return combined(claim, [quotient(top, size)], [stiff, share_])
-
-    left = by_stiffness(-gamma < alpha, positive(CHORD * right > 0, [chord, wide]))
-    soft = on_box(expanded(TOP[delay] * area - CHORD * right + gamma * area), RANGE)
-    low = combined(beta > LOW, [quotient(on_box(up - LOW * area, RANGE), size)], [damped, -1])
-    slim = positive(CHORD * (10 * area - right) > 0, [chord, on_box(10 * area - right, RANGE)])
-    near = combined(
-        alpha < 10 * CHORD, [quotient(slim, size)], [assume(gamma >= 0)], [stiff, S.One]
-    )
-    away = quotient(_away(delay), size)
-    rest = -(beta + delta) + weight * alpha - LEVEL * weight * (alpha + gamma)
-    away = combined(rest > 0, [away], [stiff, -(1 - LEVEL) * weight], [damped, S.One])
+    arc_ = OnArc(delay, CHORD, chord, RANGE)
+    slim = 10 * arc_.area - arc_.right
+    slim_ = positive(CHORD * slim > 0, [chord, on_box(slim, RANGE)])
+    quick = quotient(slim_, arc_.size), assume(gamma >= 0)
+    near = combined(alpha < 10 * CHORD, *([t] for t in quick), [arc_.stiff, S.One])
+    away = arc_.away(_away(delay))
     less = positive(
         beta < 0,
         [away],
-        [LEVEL * weight, left],
+        [LEVEL * weight, arc_.left],
         [delta >= 100 * CHORD],
         [100 - 10 * weight, chord],
         [weight, near],
     )
-    ends = (
-        positive(alpha <= TOP[delay], [by_stiffness(alpha < TOP[delay], soft, 1)]),
-        positive(beta >= LOW, [low]),
-        positive(beta <= HIGH, [less], [HIGH]),
-    )
-    boundary = closed(reached(delay), left, on_the_circle(delay, stiff, damped), *ends)
-    width = positive(weight * (alpha + gamma) > 0, [weight, left])
-    value, wanted = error(delay), far_in_the_corner().at({d: S(delay)})
-    down = combined(value < -LEVEL, [quotient(away, width)])
-    far = combined(wanted.body.of[-1], [down], [magnitude(value, True), -S.One])  # type: ignore[attr-defined]
-    far = closed(far, positive(value <= 0, [down], [LEVEL]))
-    found = exists(conj(boundary, less, far), wanted, {s: s for s in there})
-    apart = not_zero(size), not_zero(width), positive(Ne(alpha + gamma, 0), [left])
-    there_is = conj(*(identity(w, w) for w in there.values()))
-    named = Exists(tuple(there), both([stiff.conclusion, damped.conclusion]))
-    found = choose(exists(there_is, named, there), closed(found, *apart, slow()))
-    return closed(found, not_zero(size))
+    return arc_.is_far(far_in_the_corner().at({d: S(delay)}), away, less)
 
 
 def _away(delay: int) -> Theorem:

@@ -3,19 +3,12 @@
 From the start of the line a wall is seen under the slope b/A = (d + 1/2) (1 + error).
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
-from symhaptic.book.lemmas.linear_boundary import (
-    HIGH,
-    LOW,
-    on_it,
-)
+from symhaptic.book.lemmas.linear_boundary import LOW, on_it
 from symhaptic.book.lemmas.linear_rays import (
     A_1,
     A,
     at_start,
-    b,
     b_1,
     box,
     coordinates,
@@ -32,7 +25,6 @@ from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import LATER, LEVEL, beside, error, on_boundary_at
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 
 @cache
@@ -41,17 +33,12 @@ def wall(delay: int) -> tuple[Theorem, ...]:
     inside = on_it(delay)
     stiff, low = (conjunct(inside, claim) for claim in conjuncts(inside.conclusion))
     left = conjunct(assume(on_boundary_at(delay)), -gamma < alpha)
-    place = coordinates(delay)
+    right, up = (coordinates(delay)[s] for s in (A, b))
     top, high = box(delay)[A][1], box(delay)[b][1]
-    small = [share(delay), gamma <= STIFF]
-    return (
-        zero(delay),
-        positive(place[A] > 0, [left]),
-        positive(place[A] >= 0, [left]),
-        positive(place[A] <= top, [stiff], gamma <= STIFF),
-        positive(place[b] >= LOW, [low], delta >= 0, [share(delay), gamma >= 0]),
-        positive(place[b] <= high, beta <= 0, delta <= DAMPED, small),
-    )
+    arm = gamma >= 0, gamma <= STIFF, delta >= 0, delta <= DAMPED
+    here = Given(beta <= 0, *arm).and_(left, stiff, low)
+    claims = right > 0, right >= 0, right <= top, up >= LOW, up <= high
+    return zero(delay), *map(here.show, claims)
 
 
 def later(theorem: Theorem) -> Theorem:
@@ -66,20 +53,14 @@ def rises(delay: int) -> Theorem:
     both_ = first | dict(zip((A_1, b_1), second.values(), strict=True))
     walls = wall(delay)
     others = [later(t) for t in walls]
-    more = assume(beta < LATER[1])
-    before = positive(beta <= 0, [more], LATER[1] <= 0)
-    turned = closed(
-        inst(wedge(delay), both_), *walls, *others, positive(first[b] < second[b], [more])
-    )
+    here = Given(beta < LATER[1], LATER[1] <= 0)
+    turned = here.closed(closed(inst(wedge(delay), both_), *walls, *others))
     one, other = error(delay), beside(error(delay))
     width = [walls[1], others[1]]
     size = positive(share(delay) * first[A] * second[A] > 0, [share(delay), *width])
-    gap = over(
-        other - one > 0, positive(second[b] * first[A] - first[b] * second[A] > 0, [turned]), size
-    )
+    gap = over(other - one > 0, show(second[b] * first[A] - first[b] * second[A] > 0, turned), size)
     rise = closed(combined(one < other, [gap]), *map(not_zero, (*width, size)))
-    found = conj(rise, later(small(delay)))
-    return closed(of_every_plant(found), before)
+    return here.closed(of_every_plant(conj(rise, later(small(delay)))))
 
 
 @cache
@@ -87,15 +68,10 @@ def small(delay: int) -> Theorem:
     """The error is less than 2 per cent, for beta <= 0."""
     place, walls = coordinates(delay), wall(delay)
     steep = (1 + LEVEL) * share(delay)
-    below = closed(inst(below_the_ray(delay), place), *walls, _damped(delay))
+    below = Given(beta <= 0).closed(closed(inst(below_the_ray(delay), place), *walls))
     gap = (steep * place[A] - place[b]) / share(delay)
     found = over(LEVEL - error(delay) > 0, positive(gap > 0, [1 / share(delay), below]), walls[1])
     return closed(combined(error(delay) < LEVEL, [found]), not_zero(walls[1]))
-
-
-def _damped(delay: int) -> Theorem:
-    """b <= delta + (d + 1/2) gamma."""
-    return positive(coordinates(delay)[b] <= delta + share(delay) * gamma, beta <= 0)
 
 
 BEND = {0: Rational(76, 100), 1: Rational(19, 10)}
@@ -106,8 +82,7 @@ BEND = {0: Rational(76, 100), 1: Rational(19, 10)}
 def below_the_ray(delay: int) -> Theorem:
     """b < 1.02 (d + 1/2) A of a wall with a minor of zero and beta <= 0."""
     value, steep = minor_at(delay), (1 + LEVEL) * share(delay)
-    wanted = b < steep * A
-    contrary = assume(steep * A <= b)
+    contrary = steep * A <= b
     lift = inst(on(delay, slope(delay, b, b_1)), {b: steep * A, b_1: b})
     damped = delta + share(delay) * gamma
     on_ray = value.xreplace({b: steep * A})
@@ -115,22 +90,11 @@ def below_the_ray(delay: int) -> Theorem:
     rate = along - BEND[delay] * (damped - steep * A)
     high = box(delay)[b][1]
     narrow = on_box(rate, {**RANGES, A: (0, high / steep)})
-    least = positive(damped - steep * A >= 0, [contrary], b <= damped)
-    gain = positive(
-        Relation(S.Zero, "<", value),
-        [contrary, lift],
-        [at_start(delay)],
-        [A > 0, narrow],
-        [BEND[delay], A > 0, least],
-    )
-    ends = (
-        positive(steep * A >= LOW, [steep, A > 0], [-LOW]),
-        positive(steep * A <= high, [contrary], b <= high),
-        positive(high / steep >= A, [1 / steep, contrary], [1 / steep, b <= high]),
-        positive(A >= 0, A > 0),
-    )
-    none = not_intro(closed(gain, *ends), zero_of(value))
-    return disj_cases(ordered(b, steep * A), assume(wanted), contr(none, wanted))
+    here = Given(A > 0, contrary, b <= damped, b <= high)
+    least = here.show(damped - steep * A >= 0)
+    products = [contrary, lift], [at_start(delay)], [A > 0, narrow], [BEND[delay], A > 0, least]
+    gain = here.closed(positive(value > 0, *products))
+    return by_contradiction(b < steep * A, gain, zero_of(value))
 
 
 @cache
@@ -140,7 +104,5 @@ def risen() -> Theorem:
     for delay in LATE:
         here = on_boundary_at(delay)
         walls = [here, here.at(dict(zip((alpha, beta), LATER, strict=True)))]
-        damped = tuple(positive(s <= HIGH, s <= 0, [HIGH]) for s in (beta, LATER[1]))
-        before = positive(beta <= 0, beta < LATER[1], LATER[1] <= 0)
-        found.append(disch(closed(rises(delay), *damped, before), *walls))
+        found.append(disch(Given(beta < LATER[1], LATER[1] <= 0).closed(rises(delay)), *walls))
     return conj(*found)

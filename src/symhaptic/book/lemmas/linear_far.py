@@ -3,25 +3,17 @@
 It is given by the chord y of the zero that the loop then has on the circle.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.arm_numbers import TOTAL, together
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import AT_REST, room, slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, TOP, minor, reached, turn
-from symhaptic.book.lemmas.linear_rays import (
-    share,
-)
+from symhaptic.book.lemmas.linear_rays import share
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model import linear
 from symhaptic.model.circle import expanded
 from symhaptic.model.plant import Sampled
-from symhaptic.paper.propositions.linear_error import (
-    LEVEL,
-    error,
-    far,
-)
+from symhaptic.paper.propositions.linear_error import LEVEL, error, far
 
 Ranges = Mapping[Symbol, tuple[Any, Any]]
 
@@ -40,49 +32,72 @@ def arc(delay: int) -> tuple[Expr, Expr, Expr]:
     return expanded(right / linear.CHORD), up, area
 
 
+class OnArc:
+    """The wall of the boundary with a chord y, for the arms of a box; ``least`` says 0 < y."""
+
+    def __init__(self, delay: int, chord: Expr, least: Theorem, ranges: Ranges) -> None:
+        self.delay, self.chord, self.ranges = delay, chord, ranges
+        self.right, self.up, self.area = (
+            expanded(f.xreplace({linear.CHORD: chord})) for f in arc(delay)
+        )
+        self.there = {alpha: chord * self.right / self.area - gamma, beta: self.up / self.area}
+        self.stiff, self.damped = (assume(Relation(s, "=", w)) for s, w in self.there.items())
+        self.size, self.wide = on_box(self.area, ranges), on_box(self.right, ranges)
+        self.left = self.by(
+            self.stiff, -gamma < alpha, show(chord * self.right > 0, least, self.wide)
+        )
+
+    def by(self, equation: Theorem, claim: Any, top: Theorem, share_: Any = -1) -> Theorem:
+        """A relation by alpha or beta of this wall, from the sign of a numerator."""
+        return combined(claim, [quotient(top, self.size)], [equation, share_])
+
+    def away(self, top: Theorem) -> Theorem:
+        """0 < -(error + 0.02) (d + 1/2) (alpha + gamma), from the sign of its numerator."""
+        weight = share(self.delay)
+        rest = -(beta + delta) + weight * alpha - LEVEL * weight * (alpha + gamma)
+        equations = [self.stiff, -(1 - LEVEL) * weight], [self.damped, S.One]
+        return combined(rest > 0, [quotient(top, self.size)], *equations)
+
+    def is_far(self, claim: Any, away: Theorem, less: Theorem, *more: Theorem) -> Theorem:
+        """The wall is on the boundary, more, and its error is large; ``less`` says beta < 0."""
+        top, area, value = TOP[self.delay], self.area, error(self.delay)
+        soft = expanded(top * area - self.chord * self.right + gamma * area)
+        soft_ = self.by(self.stiff, alpha < top, on_box(soft, self.ranges), 1)
+        low = self.by(self.damped, beta > LOW, on_box(self.up - LOW * area, self.ranges))
+        ends = show(alpha <= top, soft_), show(beta >= LOW, low), show(beta <= HIGH, less)
+        circle = on_the_circle(self.delay, self.stiff, self.damped)
+        boundary = closed(reached(self.delay), self.left, circle, *ends)
+        width = positive(share(self.delay) * (alpha + gamma) > 0, [share(self.delay), self.left])
+        down = combined(value < -LEVEL, [quotient(away, width)])
+        far_ = combined(claim.body.of[-1], [down], [magnitude(value, True), -S.One])
+        far_ = closed(far_, positive(value <= 0, [down], [LEVEL]))
+        found = exists(conj(boundary, *more, less, far_), claim, {s: s for s in self.there})
+        apart = not_zero(self.size), not_zero(width), positive(Ne(alpha + gamma, 0), [self.left])
+        found = unnamed(closed(found, *apart, slow()), self.there)
+        return closed(found, not_zero(self.size))
+
+
 def beyond(delay: int, spring: Expr, more: Expr, ranges: Ranges) -> Theorem:
     """The claim ``far`` for the arms of a box, by the wall with y = spring gamma + more."""
-    chord = spring * gamma + more
-    right, up, area = (expanded(f.xreplace({linear.CHORD: chord})) for f in arc(delay))
-    there = {alpha: chord * right / area - gamma, beta: up / area}
-    stiff, damped = (assume(Relation(s, "=", w)) for s, w in there.items())
-    known = {f: on_box(f, ranges) for f in (right, area, spring * right - area)}
-    first = spring * ranges[gamma][0] + more
-    least = positive(chord > 0, [spring, gamma >= ranges[gamma][0]], [first])
+    chord, low = spring * gamma + more, ranges[gamma][0]
+    least = positive(chord > 0, [spring, gamma >= low], [spring * low + more])
+    wall = OnArc(delay, chord, least, ranges)
+    steep = on_box(spring * wall.right - wall.area, ranges)
+    pulled = [[gamma >= 0, steep], *([[more, wall.wide]] if more else [])]
+    pull = positive(chord * wall.right - gamma * wall.area >= 0, *pulled)
+    push = wall.by(wall.stiff, alpha >= 0, pull)
+    less = wall.by(wall.damped, beta < 0, on_box(-wall.up, ranges), 1)
+    away = wall.away(_away(delay, chord, ranges, least))
+    return of_every_plant(wall.is_far(far_at(delay), away, less, push))
 
-    def by_stiffness(claim: Any, top: Theorem, share_: Any = -1) -> Theorem:
-        return combined(claim, [quotient(top, known[area])], [stiff, share_])
 
-    def by_damping(claim: Any, top: Theorem, share_: Any = -1) -> Theorem:
-        return combined(claim, [quotient(top, known[area])], [damped, share_])
-
-    left = by_stiffness(-gamma < alpha, positive(chord * right > 0, [least, known[right]]))
-    pulled = [[gamma >= 0, known[spring * right - area]], *([[more, known[right]]] if more else [])]
-    push = by_stiffness(alpha >= 0, positive(chord * right - gamma * area >= 0, *pulled))
-    room_ = on_box(expanded(TOP[delay] * area - chord * right + gamma * area), ranges)
-    less = by_damping(beta < 0, on_box(-up, ranges), 1)
-    ends = (
-        positive(alpha <= TOP[delay], [by_stiffness(alpha < TOP[delay], room_, 1)]),
-        positive(beta >= LOW, [by_damping(beta > LOW, on_box(up - LOW * area, ranges))]),
-        positive(beta <= HIGH, [less], [HIGH]),
+def unnamed(theorem: Theorem, values: Terms) -> Theorem:
+    """Without the equations that give names to these values."""
+    named = both([Relation(s, "=", w) for s, w in values.items()])
+    there_is = exists(
+        conj(*(identity(w, w) for w in values.values())), Exists(tuple(values), named), values
     )
-    boundary = closed(reached(delay), left, on_the_circle(delay, stiff, damped), *ends)
-    value, weight = error(delay), share(delay)
-    rest = -(beta + delta) + weight * alpha - LEVEL * weight * (alpha + gamma)
-    away = quotient(_away(delay, chord, ranges, least), known[area])
-    away = combined(rest > 0, [away], [stiff, -(1 - LEVEL) * weight], [damped, S.One])
-    width = positive(weight * (alpha + gamma) > 0, [weight, left])
-    down = combined(value < -LEVEL, [quotient(away, width)])
-    beyond_ = combined(far_at(delay).body.of[-1], [down], [magnitude(value, True), -S.One])
-    beyond_ = closed(beyond_, positive(value <= 0, [down], [LEVEL]))
-    found = conj(boundary, push, less, beyond_)
-    found = exists(found, far_at(delay), {s: s for s in there})
-    apart = [*map(not_zero, (*known.values(), width)), positive(Ne(alpha + gamma, 0), [left])]
-    found = closed(found, *apart, slow())
-    there_is = conj(*(identity(w, w) for w in there.values()))
-    named = Exists(tuple(there), both([stiff.conclusion, damped.conclusion]))
-    found = choose(exists(there_is, named, there), found)
-    return of_every_plant(closed(found, not_zero(known[area])))
+    return choose(there_is, theorem)
 
 
 def far_at(delay: int) -> Any:

@@ -1,12 +1,9 @@
 """How wide the gap between the line and the start of the boundary is at most: gamma^2 delta/32."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.arm_numbers import SLOW, damped_or_not, pushed, turned, undamped
 from symhaptic.book.lemmas.line_crossing import ROOM
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import u
 from symhaptic.proof.theorems.analysis import grows
 from symhaptic.proof.theorems.samples import after_a_blow
 
@@ -42,29 +39,25 @@ def _damped() -> Theorem:
     first, second = delta + gamma / 2, delta - gamma / 2
     slope = derivative(test, u)
     kernel = first + second * exp(-way) - derivative(slope, u) - delta * slope - gamma * test
-    spring, rest = assume(gamma >= 0), positive(1 - u > 0, u < 1)
-    size = closed(over(1 / delta > 0, one(), delta > 0))
-    there = closed(inst(_bent(), {_PLACE: way}), positive(way > 0, [delta > 0, u > 0]))
-    shown = combined(
+    here = Given(delta > 0, gamma >= 0, u > 0, u < 1)
+    spring, loss, ago, rest = here.show(gamma**2 >= 0), delta > 0, u > 0, u < 1
+    shown = positive(
         kernel >= 0,
-        [spring, spring, size, size, rest, there],
-        [QUARTER, spring, spring, assume(delta > 0), square(u - HALF)],
-        [QUARTER, spring, spring, *map(assume, (delta > 0, u > 0)), rest, rest],
-        [QUARTER, spring, spring, *map(assume, (delta > 0, u > 0, u > 0)), rest, rest],
-        [Rational(1, 16), spring, spring, *map(assume, (delta > 0, delta > 0, u > 0))],
-        [Rational(1, 32), spring, spring, spring, *map(assume, (delta > 0, u > 0, u > 0))],
+        [spring, here.show(1 / delta**2 > 0), rest, inst(_bent(), {_PLACE: way})],
+        [QUARTER, spring, loss, square(u - HALF)],
+        [QUARTER, spring, loss, ago, rest, rest],
+        [QUARTER, spring, loss, ago, ago, rest, rest],
+        [Rational(1, 16), spring, loss, loss, ago],
+        [Rational(1, 32), spring, gamma >= 0, loss, ago, ago],
     )
-    apart = positive(Ne(delta, 0), delta > 0)
-    found = after_a_blow(assume(DEVICE), first, second, u, test, closed(shown, apart))
-    _, image = turned()
-    return combined(Relation(ROOM, "<=", MOST), [closed(found, apart)], [image, -S.One])
+    found = here.closed(after_a_blow(assume(DEVICE), first, second, u, test, here.closed(shown)))
+    return combined(Relation(ROOM, "<=", MOST), [found], [turned()[1], -S.One])
 
 
 def _bent() -> Theorem:
     """0 < q^3/4 - ((1 + q/2) exp(-q) - 1 + q/2) for 0 < q."""
     inner = 3 * u**2 / 4 - HALF + (1 + u) * exp(-u) / 2
-    fall = closed(rising(exp, -u, S.Zero), positive(-u < 0, u > 0))
-    speed = positive(derivative(inner, u) > 0, [HALF, u > 0, fall], [u > 0])
+    speed = Given(u > 0).show(derivative(inner, u) > 0, rising(exp, -u, S.Zero))
     rise = grows(inner, u, S.Zero, _BEFORE, speed)
     outer = _BEFORE**3 / 4 - (1 + _BEFORE / 2) * exp(-_BEFORE) + 1 - _BEFORE / 2
     slope = combined(Relation(S.Zero, "<", derivative(outer, _BEFORE)), [rise])

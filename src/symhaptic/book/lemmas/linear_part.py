@@ -1,8 +1,5 @@
 """The line of low frequencies: its walls are on the boundary, and it decides for small damping."""
 
-from __future__ import annotations
-
-from symhaptic.book.lemmas.chords import HALF
 from symhaptic.book.lemmas.corners import corner
 from symhaptic.book.lemmas.passivity import PASSIVE, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
@@ -16,8 +13,6 @@ from symhaptic.book.lemmas.region import (
     on_first_half,
     sufficient,
 )
-from symhaptic.notation import b, w
-from symhaptic.proof.theorems.familiar import bounded
 
 TURN = phi * (2 * d + 2)
 ONE = S.One

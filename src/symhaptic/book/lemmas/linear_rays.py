@@ -4,21 +4,11 @@ Walls are counted from the start of the line, A = alpha + gamma and b = beta + d
 gamma.  On a ray Jury's largest minor is not negative at the start and bent downwards.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.line_crossing import AT_REST, ROOM, divided, room
-from symhaptic.book.lemmas.linear_boundary import (
-    HALF,
-    LOW,
-    TOP,
-    level,
-    minor,
-    turn,
-)
+from symhaptic.book.lemmas.linear_boundary import LOW, TOP, level, minor, turn
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import on_box
 from symhaptic.model.circle import expanded, powers, quotient
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 A, b, A_1, b_1, y = symbols("A b A_1 b_1 y")
 """Two walls in these coordinates, and a share of the way along a ray."""
@@ -76,8 +66,7 @@ def stiffer(delay: int) -> Theorem:
     back = assume(A_1 <= A)
     gain = positive(Relation(S.Zero, "<", there - value), [b < b_1, later], [back, down])
     none = combined(Relation(there - value, "=", S.Zero), [zero_of(there)], [zero_of(value), -1])
-    wanted = A < A_1
-    return disj_cases(ordered(A, A_1), assume(wanted), contr(not_intro(gain, none), wanted))
+    return by_contradiction(A < A_1, gain, none)
 
 
 def zero_of(value: Expr) -> Theorem:
@@ -120,8 +109,7 @@ def wedge(delay: int) -> Theorem:
     """b A_1 < b_1 A for b < b_1, of two walls with 0 < A, 0 < A_1 and a minor of zero."""
     wanted = b * A_1 < b_1 * A
     less = stiffer(delay)
-    gap = positive(A_1 - A > 0, [less])
-    low = positive(wanted, [b < b_1, A_1 > 0], [b_1 <= 0, gap])
+    low = positive(wanted, [b < b_1, A_1 > 0], [b_1 <= 0, less])
     outer = contr(_above_the_ray(delay), wanted)
     high = disj_cases(ordered(b * A_1, b_1 * A), assume(wanted), outer)
     return closed(disj_cases(ordered(S.Zero, b_1), high, low), less)
@@ -133,40 +121,17 @@ def _above_the_ray(delay: int) -> Theorem:
     there = value.xreplace({A: A_1, b: b_1})
     lift = inst(on(delay, slope(delay, b, b_1)), {A: y * A_1, b: y * b_1, b_1: b})
     here = value.xreplace({A: y * A_1})
-    more = assume(y * b_1 <= b)
-    rest, part_way = positive(1 - y > 0, y < 1), positive(y > 0, y > 0)
-    first = at_start(delay)
-    gain = combined(
-        Relation(S.Zero, "<", here),
-        [more, lift],
-        [rest, first],
+    gain = positive(
+        here > 0,
+        [y * b_1 <= b, lift],
+        [y < 1, at_start(delay)],
         [zero_of(there), -y],
-        [part_way, rest, bent_downwards(delay)],
+        [y > 0, y < 1, bent_downwards(delay)],
     )
+    found = inst(not_intro(gain, zero_of(here)), {y: A / A_1})
     top, high = box(delay)[A][1], box(delay)[b][1]
-    ends = (
-        positive(y * A_1 >= 0, [y > 0, A_1 > 0]),
-        positive(y * A_1 <= top, [top >= A_1], [rest, A_1 > 0]),
-        positive(y * b_1 >= LOW, [y > 0, b_1 > 0], [-LOW]),
-        positive(y * b_1 <= high, [b_1 <= high], [rest, b_1 > 0]),
-        positive(y >= 0, y > 0),
-        positive(y <= 1, y < 1),
-    )
-    found = closed(not_intro(gain, zero_of(here)), *ends)
-    found = inst(found, {y: A / A_1})
-    width = assume(A_1 > 0)
-    sides = (
-        over(A / A_1 > 0, A > 0, width),
-        over(1 - A / A_1 > 0, positive(A_1 - A > 0, A < A_1), width),
-        over(b - A / A_1 * b_1 >= 0, positive(b * A_1 - b_1 * A >= 0, b_1 * A <= b * A_1), width),
-    )
-    apart = positive(Ne(A_1, 0), A_1 > 0)
-    shown = (
-        sides[0],
-        combined(A / A_1 < 1, [sides[1]]),
-        combined(Relation(A * b_1 / A_1, "<=", b), [sides[2]]),
-    )
-    return closed(found, *shown, apart)
+    small = top >= A_1, b_1 <= high
+    return Given(A > 0, A_1 > 0, b_1 > 0, A < A_1, b_1 * A <= b * A_1, *small).closed(found)
 
 
 @cache

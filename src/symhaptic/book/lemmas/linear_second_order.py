@@ -5,8 +5,6 @@ On the line Jury's minor is a sum of products of A with one of these, less a mul
 surplus over the line that is larger has its sign.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.arm_numbers import SLOW, TOTAL, damped_or_not, pushed, undamped
 from symhaptic.book.lemmas.line_crossing import ROOM, divided, room, slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, on_it
@@ -14,7 +12,6 @@ from symhaptic.book.lemmas.linear_gap import MOST, narrow
 from symhaptic.book.lemmas.linear_rays import (
     A,
     at_start,
-    b,
     b_1,
     coordinates,
     minor_at,
@@ -28,10 +25,8 @@ from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded, powers
-from symhaptic.notation import u
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import CONSTANT, SMALL, on_boundary_at, second_order
-from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.proof.theorems.analysis import grows
 from symhaptic.proof.theorems.samples import after_a_blow
 
@@ -58,10 +53,9 @@ def nearly_even() -> Theorem:
 def _late() -> Theorem:
     """0 <= n_0 - n_1 + delta/6, from exp(-x) > 1 - x."""
     way = delta * u
-    above = closed(inst(_tangent(), {_PLACE: way}), positive(way > 0, [delta > 0, u > 0]))
     kernel = exp(-way) - 1 + way + way**2 / 2 + gamma * delta * u**3 / 6
-    loss, ago, spring = (assume(p) for p in (delta > 0, u > 0, gamma >= 0))
-    more = [S.Half, loss, loss, ago, ago], [Rational(1, 6), spring, loss, ago, ago, ago]
+    above = Given(delta > 0, u > 0).closed(inst(_tangent(), {_PLACE: way}))
+    more = [HALF, *[delta > 0, u > 0] * 2], [Rational(1, 6), gamma >= 0, delta > 0, *[u > 0] * 3]
     shown = positive(kernel >= 0, [above], *more)
     return after_a_blow(assume(DEVICE), -1, 1, u, -delta * u**3 / 6, shown)
 
@@ -69,10 +63,9 @@ def _late() -> Theorem:
 def _tangent() -> Theorem:
     """0 < exp(-q) - 1 + q for 0 < q."""
     rest = exp(-_BEFORE) - 1 + _BEFORE
-    fall = closed(rising(exp, -_BEFORE, S.Zero), positive(-_BEFORE < 0, _BEFORE > 0))
-    slope_ = positive(derivative(rest, _BEFORE) > 0, [fall])
+    slope_ = Given(_BEFORE > 0).show(derivative(rest, _BEFORE) > 0, rising(exp, -_BEFORE, S.Zero))
     found = grows(rest, _BEFORE, S.Zero, _PLACE, slope_)
-    return positive(rest.xreplace({_BEFORE: _PLACE}) > 0, [found])
+    return show(rest.xreplace({_BEFORE: _PLACE}) > 0, found)
 
 
 def on_line(delay: int) -> Expr:
@@ -121,13 +114,13 @@ def positive_above(delay: int) -> Theorem:
     rate = rates(delay)
     value = minor_at(delay).xreplace({b: share(delay) * A + ABOVE})
     bent = CONSTANT * curved(delay, ABOVE) + curvature(delay)
-    width, less = assume(A > 0), pushed()[2]
-    return combined(
-        Relation(S.Zero, "<", value),
+    width = A > 0
+    return positive(
+        value > 0,
         [at_start(delay)],
-        [width, on_box(rate[UNEVEN], RANGES), positive(n_1 - n_0 >= 0, [less])],
-        [width, on_box(rate[delta], RANGES), assume(delta >= 0)],
-        [width, on_box(rate[gamma] + rate[GAP] * MOST / gamma, RANGES), assume(gamma >= 0)],
+        [width, on_box(rate[UNEVEN], RANGES), pushed()[2]],
+        [width, on_box(rate[delta], RANGES), delta >= 0],
+        [width, on_box(rate[gamma] + rate[GAP] * MOST / gamma, RANGES), gamma >= 0],
         [width, on_box(-rate[GAP], RANGES), narrow()],
         [width, width, on_box(expanded(bent), BOX)],
     )
@@ -139,10 +132,10 @@ def negative_below(delay: int) -> Theorem:
     rate, weight = rates(delay), start_by_gap(delay)
     value = minor_at(delay).xreplace({b: share(delay) * A + BELOW})
     push = CONSTANT * curved(delay, BELOW)
-    width, spring, loss = assume(A > 0), assume(gamma >= 0), assume(delta >= 0)
+    width, spring, loss = A > 0, gamma >= 0, delta >= 0
     by_loss = push - rate[delta] - rate[UNEVEN] / 6
-    return combined(
-        Relation(value, "<=", S.Zero),
+    return positive(
+        value <= 0,
         [loss, width, on_box(expanded(by_loss), BOX)],
         [spring, width, on_box(expanded(push - rate[gamma]), BOX)],
         [width, on_box(rate[UNEVEN], RANGES), nearly_even()],
@@ -167,66 +160,34 @@ def _between(delay: int, low: Expr, high: Expr) -> Theorem:
 def not_above(delay: int) -> Theorem:
     """b <= (d + 1/2) A + 3 A^2 of a wall with a minor of zero."""
     value, bow = minor_at(delay), share(delay) * A + ABOVE
-    contrary, width = assume(bow < b), assume(A > 0)
-    lift = _between(delay, bow, b)
-    gain = positive(Relation(S.Zero, "<", value), [contrary, lift], [positive_above(delay)])
-    ends = (
-        positive(bow >= LOW, [share(delay), width], [CONSTANT, width, width], [-LOW]),
-        positive(bow <= MOST_B, [contrary], b <= MOST_B),
-    )
-    wanted = Relation(b, "<=", bow)
-    never = not_intro(closed(gain, *ends), zero_of(value))
-    return disj_cases(ordered(bow, b), contr(never, wanted), assume(wanted))
+    gain = positive(value > 0, [bow < b, _between(delay, bow, b)], [positive_above(delay)])
+    gain = Given(bow < b, A > 0, b <= MOST_B).closed(gain)
+    return by_contradiction(b <= bow, gain, zero_of(value))
 
 
 @cache
 def not_below(delay: int) -> Theorem:
     """(d + 1/2) A - 3 (delta + gamma) (A + gamma) <= b of a wall with a minor of zero."""
     value, bow = minor_at(delay), share(delay) * A + BELOW
-    contrary, width = assume(b < bow), assume(A > 0)
     lift = inst(_between(delay, b_1, b), {b: bow, b_1: b})
     there = value.xreplace({b: bow})
-    gain = combined(Relation(S.Zero, "<", there), [contrary, lift], [zero_of(value), -S.One])
-    less = positive(share(delay) * A - bow >= 0, *_products(width))
-    top = share(delay) * BOX[A][1]
-    ends = (
-        positive(bow >= LOW, [contrary], b >= LOW),
-        positive(bow <= MOST_B, [less], [share(delay), BOX[A][1] >= A], [MOST_B - top]),
-    )
-    wanted = Relation(bow, "<=", b)
-    never = not_intro(closed(gain, *ends), negative_below(delay))
-    return disj_cases(ordered(b, bow), contr(never, wanted), assume(wanted))
-
-
-def _products(width: Theorem) -> list[list[Any]]:
-    """(delta + gamma) (A + gamma), three times."""
-    spring, loss = assume(gamma >= 0), assume(delta >= 0)
-    return [[CONSTANT, s, t] for s in (spring, loss) for t in (width, spring)]
+    gain = positive(there > 0, [b < bow, lift], [zero_of(value), -S.One])
+    here = Given(b < bow, b >= LOW, A > 0, BOX[A][1] >= A, gamma >= 0, delta >= 0)
+    return by_contradiction(bow <= b, here.closed(gain), negative_below(delay))
 
 
 @cache
 def near_the_line(delay: int) -> Theorem:
     """The claim of second order for the wall (alpha, beta), on the boundary."""
     place = coordinates(delay)
-    stiff, low = (conjunct(on_it(delay), c) for c in conjuncts(on_it(delay).conclusion))
+    _, low = (conjunct(on_it(delay), c) for c in conjuncts(on_it(delay).conclusion))
     left = conjunct(assume(on_boundary_at(delay)), -gamma < alpha)
-    walls = (
-        zero(delay),
-        positive(place[A] > 0, [left]),
-        positive(place[A] >= 0, [left]),
-        positive(place[A] <= BOX[A][1], alpha <= SMALL, gamma <= STIFF),
-        positive(place[b] >= LOW, [low], delta >= 0, [share(delay), gamma >= 0]),
-        positive(place[b] <= MOST_B, beta <= HIGH, delta <= DAMPED, *_room(delay)),
-    )
-    found = [closed(inst(f(delay), place), *walls, stiff) for f in (not_above, not_below)]
+    arm = gamma >= 0, gamma <= STIFF, delta >= 0, delta <= DAMPED
+    here = Given(alpha <= SMALL, beta <= HIGH, *arm).and_(left, low, zero(delay))
+    found = [here.closed(inst(f(delay), place)) for f in (not_above, not_below)]
     claims = second_order(delay)
     shown = [combined(c, [t]) for c, t in zip(claims, found, strict=True)]
     return closed(of_every_plant(conj(*shown)), slow())
-
-
-def _room(delay: int) -> list[list[Any]]:
-    """(d + 1/2) gamma <= 2 * 0.001."""
-    return [[share(delay), gamma <= STIFF], [(2 - share(delay)) * STIFF]]
 
 
 @cache

@@ -1,14 +1,11 @@
 """The error (26) of the linear condition where the boundary starts: it has no bound there."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.arm_numbers import ARM, NUMBERS, TOTAL, signs, together
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.circle import expanded
 from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
 
-HALF = S.Half
 GIVEN = (*ARM[1:], gamma * delta > 0, d >= 0)
 DEVICE_NUMBERS = (n_1, n_0, a, e)
 ACROSS = stiffness() / (cos(theta / 2) * SQUARE)

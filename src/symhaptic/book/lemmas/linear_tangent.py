@@ -1,7 +1,5 @@
 """The line (25) is the tangent of the boundary, where that starts, for a free mass only."""
 
-from __future__ import annotations
-
 from sympy import Rel
 
 from symhaptic.book.lemmas.arm_numbers import ARM, GAP, NUMBERS, TOTAL, pushed, share, signs
@@ -17,11 +15,9 @@ from symhaptic.book.lemmas.linear_start import (
 )
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import u
 from symhaptic.proof.theorems.analysis import no_other_limit
 from symhaptic.proof.theorems.samples import after_a_blow
 
-HALF = S.Half
 GIVEN = (*ARM[1:], d >= 0)
 FREE = {gamma: S.Zero, delta: S.Zero}
 SURPLUS = UP + delta - (d + HALF) * ACROSS

@@ -4,11 +4,9 @@ On the ray of this error Jury's minor is bent downwards: where it is negative at
 for all stiffer walls.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import slow
-from symhaptic.book.lemmas.linear_boundary import HIGH, LOW
+from symhaptic.book.lemmas.linear_boundary import LOW
 from symhaptic.book.lemmas.linear_error import small, wall
 from symhaptic.book.lemmas.linear_far import beyond, quotient
 from symhaptic.book.lemmas.linear_gap import MOST, narrow
@@ -16,7 +14,6 @@ from symhaptic.book.lemmas.linear_rays import (
     A_1,
     A,
     at_start,
-    b,
     b_1,
     bent_downwards,
     box,
@@ -38,7 +35,6 @@ from symhaptic.paper.propositions.linear_error import (
     on_boundary_at,
     size,
 )
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 STEEP = 1 - LEVEL
 """How steep the ray of an error of -2 per cent is, beside the line."""
@@ -49,21 +45,21 @@ def within(delay: int, most: Expr) -> Theorem:
     """(26) is at most 2 per cent for gamma = 0.001 and delta <= most, alpha >= 0 and beta < 0."""
     place, walls = coordinates(delay), wall(delay)
     weight, value = share(delay), error(delay)
-    above = closed(inst(_above_the_ray(delay, most), place), *walls)
-    above = closed(above, positive(place[A] >= gamma, alpha >= 0))
+    above = closed(
+        inst(_above_the_ray(delay, most), place), *walls, show(place[A] >= gamma, alpha >= 0)
+    )
     top = positive((place[b] - STEEP * weight * place[A]) / weight >= 0, [1 / weight, above])
     least = combined(value >= -LEVEL, [quotient(top, walls[1])])
-    wanted = Relation(size(delay), "<=", LEVEL)
-    up = combined(wanted, [small(delay)], [magnitude(value)])
-    down = combined(wanted, [least], [magnitude(value, True)])
-    up = closed(up, positive(value >= 0, value > 0))
-    found = closed(disj_cases(ordered(S.Zero, value), up, down), not_zero(walls[1]))
-    ends = (
-        positive(beta <= 0, beta < 0),
-        positive(beta <= HIGH, beta < 0, [HIGH]),
-        positive(delta <= DAMPED, delta <= most, [DAMPED - most]),
-    )
-    return closed(of_every_plant(found), *ends, slow())
+    found = closed(at_most(size(delay), LEVEL, small(delay), least), not_zero(walls[1]))
+    return Given(beta < 0, delta <= most).closed(of_every_plant(found), slow())
+
+
+def at_most(of: Expr, level: Expr, below: Theorem, above: Theorem) -> Theorem:
+    """|x| <= c from x <= c, or x < c, and -c <= x."""
+    value, wanted = of.args[0], Relation(of, "<=", level)
+    up = closed(combined(wanted, [below], [magnitude(value)]), show(value >= 0, value > 0))
+    down = combined(wanted, [above], [magnitude(value, True)])
+    return disj_cases(ordered(S.Zero, value), up, down)
 
 
 def _above_the_ray(delay: int, most: Expr) -> Theorem:
@@ -73,38 +69,15 @@ def _above_the_ray(delay: int, most: Expr) -> Theorem:
     top, high = (box(delay)[s][1] for s in (A, b))
     wide = {**RANGES, A: (0, top), b: (LOW, high), b_1: (LOW, steep * top)}
     lift = inst(on_box(slope(delay, b, b_1), wide), {b_1: steep * A})
-    contrary = assume(b < steep * A)
-    above = Relation(S.Zero, "<", on_ray)
-    gain = combined(above, [contrary, lift], [zero_of(value), -S.One])
+    gain = positive(on_ray > 0, [b < steep * A, lift], [zero_of(value), -S.One])
     way = on_ray.xreplace({A: y * A})
-    along, rest = assume(y > 0), assume(y <= 1)
     bent_ = inst(bent_downwards(delay), {A_1: A, b_1: steep * A})
-    less = combined(
-        Relation(y * on_ray, "<=", S.Zero),
-        [assume(Relation(way, "<", S.Zero))],
-        [rest, at_start(delay)],
-        [along, rest, bent_],
-    )
-    never = not_intro(positive(y * on_ray > 0, [along, gain]), less)
+    products = [way < 0], [y <= 1, at_start(delay)], [y > 0, y <= 1, bent_]
+    less = positive(y * on_ray <= 0, *products)
+    never = not_intro(positive(y * on_ray > 0, [y > 0, gain]), less)
     wanted = Relation(steep * A, "<=", b)
-    found = inst(contr(never, wanted), {y: gamma / A})
-    width = assume(A > 0)
-    ends = (
-        _below_at_gamma(delay, most),
-        over(gamma / A > 0, gamma > 0, width),
-        over(gamma / A >= 0, gamma >= 0, width),
-        combined(
-            gamma / A <= 1,
-            [over((A - gamma) / A >= 0, positive(A - gamma >= 0, gamma <= A), width)],
-        ),
-        positive(gamma > 0, gamma >= STIFF, [STIFF]),
-        positive(steep * A > 0, [steep, width]),
-        positive(steep * A >= LOW, [steep, width], [-LOW]),
-        positive(steep * A <= steep * top, [steep, top >= A]),
-        positive(A >= 0, width),
-        not_zero(width),
-    )
-    found = closed(found, *ends)
+    found = closed(inst(contr(never, wanted), {y: gamma / A}), _below_at_gamma(delay, most))
+    found = Given(A > 0, top >= A, gamma >= STIFF, gamma <= A).closed(found)
     return disj_cases(ordered(b, steep * A), found, assume(wanted))
 
 
@@ -118,7 +91,7 @@ def _below_at_gamma(delay: int, most: Expr) -> Theorem:
     falls = on_box(expanded(-rate - part_ * MOST / gamma), arms)
     heavy = on_box(part_, RANGES)
     claim = Relation(on_ray.xreplace({A: gamma}), "<", S.Zero)
-    return combined(claim, [positive(gamma > 0, gamma >= STIFF, [STIFF]), falls], [heavy, narrow()])
+    return combined(claim, [show(gamma > 0, gamma >= STIFF), falls], [heavy, narrow()])
 
 
 # -- the claims ------------------------------------------------------------------------

@@ -3,9 +3,6 @@
 A wall that leaves the line some room keeps a margin with less damping of the device.
 """
 
-from __future__ import annotations
-
-from symhaptic.book.lemmas.chords import HALF
 from symhaptic.book.lemmas.linear_part import known, on_line
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.book.lemmas.prelude import *
@@ -17,7 +14,6 @@ from symhaptic.book.lemmas.region import (
     pushes,
     sufficient,
 )
-from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import BORDER, LITTLE, MINIMAL
 
 THIRD = Rational(1, 3)

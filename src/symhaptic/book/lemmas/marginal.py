@@ -4,17 +4,14 @@ Fifty periods late, d = 49, the spring (pi/100)^2, which (23) allows, excludes e
 not pull if there is no damper.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
-from symhaptic.book.lemmas.stiffness_claims import UNDELAYED, beside, linear
+from symhaptic.book.lemmas.stiffness_claims import UNDELAYED, beside, from_bound, linear
 from symhaptic.book.lemmas.undamped_robust import excluded
 from symhaptic.paper.propositions import conclusion
 from symhaptic.paper.propositions.conclusion import CHANGES, FACTOR
 from symhaptic.paper.propositions.ratio import WALL
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 LIMIT = Rational("0.6899") + Rational("1.2") * delta
 """A little stiffer than every stable wall without delay, for all springs of (23)."""
@@ -76,15 +73,9 @@ def changed(parameter: Symbol, other: Expr, delay: int) -> Theorem:
     found = []
     for some, best, others in zip(claim.of, arms, arms[::-1], strict=True):
         wall, held = wall_below(best, delay, FINE)
-        limit, softer = none_above(others, delay, FINE)
-        found.append(beside(some, held, wall, partial(_below, limit, softer)))
+        _, softer = none_above(others, delay, FINE)
+        found.append(beside(some, held, wall, from_bound(softer)))
     return conj(*found)
-
-
-def _below(limit: Expr, softer: Theorem, wanted: Any) -> Theorem:
-    """c alpha < g x for all stable walls of the other device, alpha < L and x a number."""
-    share = wanted.left.coeff(alpha)
-    return combined(wanted, [share, softer], [wanted.right - share * limit])
 
 
 @cache

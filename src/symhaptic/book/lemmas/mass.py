@@ -1,10 +1,7 @@
 """The mass of a device does not matter to its passivity."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passivity import WALL
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import v
 from symhaptic.proof.theorems.energy import stored
 
 

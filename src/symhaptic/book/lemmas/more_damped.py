@@ -4,15 +4,12 @@ The largest of Jury's minors is positive on one side of the curve that bounds th
 it rises with the damper.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.marginal import LIMIT, NEAR
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.book.lemmas.stiffest_stable import (
-    WIDEST,
     damping_between,
     inequalities,
     no_stiffer,
@@ -36,7 +33,6 @@ from symhaptic.paper.propositions.stability import (
     damping_can_destabilise,
     reached,
 )
-from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.proof import box
 from symhaptic.proof.plants import BALLS, SLOPES, named
 from symhaptic.proof.plants import NUMBERS as SAMPLED
@@ -45,6 +41,7 @@ from symhaptic.proof.theorems.leaves import more_damped
 OTHERS = sp.symbols("n_1'' n_0'' a'' e''")
 BARE = STABLE.at({d: S.Zero})
 AT_ONCE = reached().at({d: S.Zero})
+HEAVY = Given(delta >= 0, delta < HEAVIER, HEAVIER <= DAMPED)
 SIDES = {**RANGES, alpha: (-STIFF, 1), beta: (-1, Rational(21, 10))}
 
 
@@ -91,37 +88,20 @@ def grows() -> Theorem:
     """The wall at which stable walls end right of alpha = -gamma is stable with a larger damper."""
     end, value = at_the_end(), away()[0]
     minor = positive(value >= 0, [end["minor"]])
-    weak = positive(beta >= -1, [end["above"]])
-    near = positive(alpha + gamma > 0, alpha > -gamma)
-    toward = positive(1 + n_1 * beta > 0, [on_box(1 - n_1, RANGES)], [on_box(n_1, RANGES), weak])
-    high = positive(beta <= WIDEST, [end["high"]])
-    above = closed(above_one(minor, toward, near), positive(beta >= -WIDEST, [weak], [WIDEST - 1]))
+    here = Given(alpha > -gamma, gamma <= STIFF, delta <= DAMPED)
+    here = here.and_(end["above"], end["high"], end["softer"])
+    toward = here.show(1 + n_1 * beta > 0, on_box(1 - n_1, RANGES), on_box(n_1, RANGES))
+    above = here.closed(above_one(minor, toward, here.show(alpha + gamma > 0)))
     rise = minor_rises()
     after = rise.conclusion.right  # type: ignore[attr-defined]
     known = plants()
-    bound = over(CURVE - alpha > 0, assume(inequalities(0)[-1].conclusion), known["weight"])
-    apart = [not_zero(known[n]) for n in ("weight", "late", "toward", "total")]
-    left = closed(combined(alpha < CURVE, [bound]), *apart)
+    left = by_multiple(alpha < CURVE, known["weight"], [inequalities(0)[-1].conclusion])
+    left = closed(left, *(not_zero(known[n]) for n in ("weight", "late", "toward", "total")))
     other = {delta: HEAVIER, **dict(zip(NUMBERS, OTHERS, strict=True))}
     there = closed(inst(left, other), positive(after > 0, [minor], [rise]))
-    right = assume(alpha > -gamma)
-    found = mp(inst(between(), other), conj(assume(beta > -1), right, there))
-    steep = LIMIT.coeff(delta)
-    ends = [
-        weak,
-        high,
-        positive(alpha >= -STIFF, [right], gamma <= STIFF),
-        positive(
-            alpha <= 1,
-            [end["softer"]],
-            [steep, delta <= DAMPED],
-            [1 - LIMIT.subs(delta, DAMPED)],
-        ),
-    ]
-    found = closed(closed(found, above), *ends)
-    found = of_every_plant(choose(device_exists(gamma, HEAVIER, OTHERS), found))
-    less = positive(delta <= DAMPED, delta < HEAVIER, HEAVIER <= DAMPED)
-    return closed(found, less, positive(HEAVIER >= 0, delta >= 0, delta < HEAVIER))
+    found = mp(inst(between(), other), conj(assume(beta > -1), assume(alpha > -gamma), there))
+    found = here.closed(closed(found, above))
+    return HEAVY.closed(of_every_plant(choose(device_exists(gamma, HEAVIER, OTHERS), found)))
 
 
 @cache
@@ -131,14 +111,13 @@ def more_damped_is_stable() -> Theorem:
     still = for_all([WAY], [WAY >= 0, WAY < 1], add_assum(assume(BARE), WAY >= 0, WAY < 1))
     right = of_every_plant(conjunct(needed(), alpha > -gamma))
     found = closed(inst(grows(), begin), still, closed(right, above_minus_one()))
-    return closed(found, positive(delta <= DAMPED, delta < HEAVIER, HEAVIER <= DAMPED))
+    return HEAVY.closed(found)
 
 
 def kept() -> Theorem:
     """A wall that is stable with the larger damper is right of alpha = -gamma."""
     right = of_every_plant(conjunct(needed(), alpha > -gamma))
-    found = inst(closed(right, above_minus_one()), {delta: HEAVIER})
-    return closed(found, positive(HEAVIER >= 0, delta >= 0, delta < HEAVIER))
+    return HEAVY.closed(inst(closed(right, above_minus_one()), {delta: HEAVIER}))
 
 
 def grown(then: Proposition) -> Theorem:
@@ -146,11 +125,7 @@ def grown(then: Proposition) -> Theorem:
     more, wider, right = then.parts
     wide: Any = wider
     there = for_all(wide.over, [wide.body.of[0]], grows())
-    return conj(
-        disch(more_damped_is_stable(), more.parts[0]),
-        there,
-        disch(kept(), right.parts[0]),
-    )
+    return conj(disch(more_damped_is_stable(), more.parts[0]), there, disch(kept(), right.parts[0]))
 
 
 STIFF_ONE = {

@@ -1,7 +1,5 @@
 """Motions, (time in periods, way) piece by piece, that gain energy."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.definitions import gains

@@ -4,8 +4,6 @@ It is moved a share eta of its way to (-gamma, 1), and to the right by the diffe
 springs.  Delays are none.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.spring_box import (
@@ -15,36 +13,26 @@ from symhaptic.book.lemmas.spring_box import (
     LEAST,
     LITTLE,
     LOW,
-    MIDDLE,
-    NEAR,
     PRIMED,
     PULL,
     SHARE,
-    SLOPE,
     START,
-    THIN,
     WIDE,
     L,
     bounds,
     eta,
     g,
-    h,
-    m_0,
-    m_1,
     numbers_near,
     on_walls,
     primed,
-    u,
     y_0,
     y_1,
 )
 from symhaptic.book.lemmas.stability import by_inequalities
-from symhaptic.book.lemmas.stiffest_stable import (
-    inequalities,
-    on_box,
-)
+from symhaptic.book.lemmas.stiffest_stable import inequalities, on_box
 from symhaptic.paper.propositions.plots import OTHER, THICK
-from symhaptic.paper.ranges import STIFF
+
+SIDES = "right", "left", "up", "down"
 
 
 class Moved:
@@ -65,70 +53,17 @@ class Moved:
             **{y_1: one - n_1, y_0: late - n_0, L: 1 - e},
         }
         order = gamma >= OTHER if softer else gamma <= OTHER
+        springs = order, gamma >= 0, gamma <= STIFF, OTHER >= 0, OTHER <= STIFF
         self.apart = positive(self.gap >= 0, order)
-        self.ends = self._ends()
+        self.around = Given(*springs).and_(*(bounds()[side] for side in SIDES))
+        near = (*numbers_near(), *map(primed, numbers_near()))
+        self.numbers = self.around.and_(*near, self.same_loss())
+        self.low = self.around.show(Relation(S.Zero, "<=", self.share))
+        self.high = self.around.show(Relation(self.share, "<=", 2 * THICK))
 
     def on_walls(self, expr: Expr) -> Theorem:
-        """0 < f of this wall and these devices."""
-        return closed(inst(on_walls(expr), self.places), *self.ends)
-
-    def _ends(self) -> list[Theorem]:
-        """That wall and devices lie in the box."""
-        known = bounds()
-        share = self.share
-        some = [
-            positive(alpha + gamma >= 0, [known["right"]]),
-            positive(alpha + gamma <= WIDE, [known["left"]]),
-            positive(beta >= LOW, [known["up"]]),
-            positive(beta <= HIGH, [known["down"]]),
-            self.apart,
-            positive(
-                self.gap <= STIFF,
-                *([gamma <= STIFF], [OTHER >= 0])
-                if self.softer
-                else ([OTHER <= STIFF], [gamma >= 0]),
-            ),
-        ]
-        low, high = Relation(S.Zero, "<=", share), Relation(share, "<=", 2 * THICK)
-        rise = [[SHARE, self.apart]] if self.softer else []
-        self.low = combined(low, [START], *rise)
-        rise = [[SHARE, assume(gamma <= STIFF)], [SHARE, assume(OTHER >= 0)]] if self.softer else []
-        self.high = combined(high, [2 * THICK - START - (SHARE * STIFF if rise else 0)], *rise)
-        some += [self.low, self.high]
-        same = self.same_loss()
-        here, there = numbers_near(), [primed(t) for t in numbers_near()]
-        for number, s in ((n_1, m_1), (n_0, m_0)):
-            low, high = THIN[s]
-            other = PRIMED[number]
-            some += [
-                combined(other >= low, [_of(there, other - low)]),
-                combined(other <= high, [_of(there, high - other)]),
-            ]
-            y = other - number
-            slope = SLOPE[number]
-            middle = MIDDLE - slope * (1 - e)
-            after = middle.subs(e, PRIMED[e])
-            reach = NEAR[number]
-            some += [
-                combined(
-                    y <= 2 * reach,
-                    [_of(there, reach - other + after)],
-                    [_of(here, reach + number - middle)],
-                    [same, -slope],
-                ),
-                combined(
-                    y >= -2 * reach,
-                    [_of(there, reach + other - after)],
-                    [_of(here, reach - number + middle)],
-                    [same, slope],
-                ),
-            ]
-        low, high = THIN[L]
-        some += [
-            combined(1 - e >= low, [_of(here, 1 - e - low)]),
-            combined(1 - e <= high, [_of(here, high - 1 + e)]),
-        ]
-        return some
+        """0 < f of this wall and these devices, which lie in the box."""
+        return self.numbers.closed(inst(on_walls(expr), self.places), degree=1)
 
     def same_loss(self) -> Theorem:
         """e = e'."""
@@ -161,20 +96,16 @@ class Moved:
     def first(self, wanted: Any) -> Theorem:
         """The zero at 1 is inside."""
         total = primed(on_box(n_1 + n_0, RANGES))
-        return combined(
-            wanted, [total, self.eased(), bounds()["right"]], [self.static()[1], -S.One]
-        )
+        return positive(wanted, [total, self.eased(), bounds()["right"]], [self.static()[1], -1])
 
     def second(self, wanted: Any) -> Theorem:
         """The first of the half planes."""
         here, there = self.static()
-        known = inequalities(0)[1]
-        weight = positive(1 - beta / 3 > 0, [Rational(1, 3), bounds()["down"]], [(3 - HIGH) / 3])
-        rest = self.on_walls(_plane(self.softer))
-        return combined(
+        weight = show(1 - beta / 3 > 0, bounds()["down"])
+        return positive(
             wanted,
-            [rest],
-            [weight, known],
+            [self.on_walls(_plane(self.softer))],
+            [weight, inequalities(0)[1]],
             [here, 1 - beta / 3],
             [there, -S.One],
             [self.same_loss(), -2],
@@ -184,20 +115,9 @@ class Moved:
         """The other half plane, far away."""
         plane = by_inequalities(0).conclusion.of[1].of[2].right  # type: ignore[attr-defined]
         wide = {**RANGES, alpha: (-2 * STIFF, WIDE), beta: (LOW, HIGH)}
-        found = inst(
-            on_box(plane, wide), {gamma: OTHER, **PRIMED, alpha: self.stiffness, beta: self.damping}
-        )
-        known = bounds()
-        eased, share = self.eased(), self.low
-        ends = [
-            positive(
-                self.stiffness >= -2 * STIFF, [eased, known["right"]], [OTHER <= STIFF], [STIFF]
-            ),
-            positive(self.stiffness <= WIDE, [eased, known["left"]], [OTHER >= 0], [share, WIDE]),
-            positive(self.damping >= LOW, [eased, known["up"]], [share, 1 - LOW]),
-            positive(self.damping <= HIGH, [eased, known["down"]], [share, HIGH - 1]),
-        ]
-        return closed(combined(wanted, [found]), *ends)
+        wall = {gamma: OTHER, **PRIMED, alpha: self.stiffness, beta: self.damping}
+        found = combined(wanted, [inst(on_box(plane, wide), wall)])
+        return self.around.closed(found, self.eased(), self.low)
 
     def minor(self, wanted: Any) -> Theorem:
         """Jury's minor."""
@@ -208,11 +128,7 @@ class Moved:
         cost = self.on_walls(COST)
         little = Rational(1, 100)
         if self.softer:
-            rest = positive(
-                LITTLE - little * self.share >= 0,
-                [little, self.high],
-                [LITTLE - 2 * little * THICK],
-            )
+            rest = show(LITTLE - little * self.share >= 0, self.high)
             gain = self.on_walls(SHARE * PULL - COST + little - LITTLE)
             spring = [[self.apart, gain], [self.apart, share, cost], [self.apart, rest]]
             loss = self.on_walls(START * PULL - CHANGE)
@@ -250,9 +166,3 @@ def _plane(softer: bool) -> Expr:
         + 2 * (m_1 + m_0) * (beta**2 / 3 + share * (1 - beta))
         + (1 - beta / 3) * (u * (y_1 - y_0) + 2 * g * y_0 + 2 * beta * (y_1 + y_0))
     )
-
-
-def _of(known: Sequence[Theorem], expr: Expr) -> Theorem:
-    """Among theorems the one that says this is positive."""
-    found = {sp.expand(relation(t, "<").right): t for t in known}
-    return found[sp.expand(expr)]

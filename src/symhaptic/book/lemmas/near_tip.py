@@ -3,8 +3,6 @@
 Where the tip is comes from a search; what is said of it is shown.
 """
 
-from __future__ import annotations
-
 from math import log
 
 from symhaptic.book.lemmas.outpaced import softer_than

@@ -1,7 +1,5 @@
 """Walls of (27) are those of (7), in the units of Table I; and so are those of the boundary."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_boundary import on_boundary
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import DELAY

@@ -4,12 +4,9 @@ One zero of the polynomial is -f, f = exp(-delta/2), whatever the wall; the othe
 z^2 + (f + nu (alpha + beta)) z - nu beta, where nu = (1 + f)/gamma.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.springs_alike import line_and_curve
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer
-from symhaptic.model.passivity import mirror
 from symhaptic.paper.propositions.plots import (
     ARMS,
     BESIDE,
@@ -20,7 +17,6 @@ from symhaptic.paper.propositions.plots import (
     triangle,
     undelayed,
 )
-from symhaptic.paper.ranges import DAMPED
 from symhaptic.proof import box
 from symhaptic.proof.theorems.definitions import loop_substituted
 from symhaptic.proof.theorems.leaves import on_box as on_plain_box
@@ -99,12 +95,7 @@ def enough() -> Theorem:
         show(wanted[0], more, right),
         show(wanted[1], more, low, lost, right),
         show(wanted[2], lost, top),
-        combined(
-            wanted[3],
-            [low, left, top],
-            [low, lost, lost],
-            [low, lost, left, low],
-        ),
+        combined(wanted[3], [low, left, top], [low, lost, lost], [low, lost, left, low]),
     ]
     found = mp(loop, conj(*known))
     return here.closed(closed(found, *_divisors(found.hypotheses)))

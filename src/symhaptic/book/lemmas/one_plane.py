@@ -1,7 +1,5 @@
 """Figs. 11 and 13: what the curves of passive and of stable walls are, and which lies inside."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.boundary import at_rest, zero_on_circle_is_explicit
 from symhaptic.book.lemmas.connections import passive_wall_is_stable
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
@@ -10,12 +8,10 @@ from symhaptic.book.lemmas.normalised_boundary import ON_CURVE, above_in_units, 
 from symhaptic.book.lemmas.passive_is_stable import LOOP, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.notation import b
 from symhaptic.paper.propositions.comparison import PASSIVE_WALL, STABLE
 from symhaptic.paper.propositions.passivity import BORDER
 from symhaptic.paper.propositions.plots import solid
 from symhaptic.paper.propositions.stability import at_angle
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 UNIT = {m: S.One, T: S.One, K: alpha, B: beta, b: DAMPED, delta: DAMPED}
 """Mass, period and damper of Fig. 11."""

@@ -1,7 +1,5 @@
 """Walls of (7) are on the boundary of the passive ones, behind whole delays."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.corners import on_envelope, single, wide
 from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.prelude import *
@@ -14,8 +12,6 @@ from symhaptic.book.lemmas.region import (
     on_first_half,
     sufficient,
 )
-from symhaptic.notation import b
-from symhaptic.proof.theorems.familiar import bounded
 
 TWICE = {N: 2 * d + 2, phi: omega * T / 2}
 ANGLE = omega * T / 2
@@ -66,9 +62,7 @@ def of_the_end(stiffness: Expr, damping: Expr, equation: Theorem) -> tuple[Theor
     rest = 2 * d - 2 * (d + 1) * cos(angle) - 2 * cos(turn)
     spring = combined(Eq(stiffness, 0), [none, 4 * b * (d + 1) * (cos(angle) - 1) * bottom / T])
     damper = combined(
-        Eq(damping, b),
-        [none, b * rest * bottom],
-        [low, 2 * b * (d + 1) * sin(angle) * bottom],
+        Eq(damping, b), [none, b * rest * bottom], [low, 2 * b * (d + 1) * sin(angle) * bottom]
     )
     here = DELAY.and_(omega > 0, omega < pi / T)
     wave = here.show((2 * d + 2) * sin(angle) > 0)

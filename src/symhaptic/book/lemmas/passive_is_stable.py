@@ -1,11 +1,8 @@
 """A wall that meets the passivity condition at every angle keeps every damped device stable."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model.passivity import margin, mirror
-from symhaptic.notation import b
+from symhaptic.model.passivity import margin
 from symhaptic.proof.theorems.familiar import linear
 
 NUMBERS = (n_1, n_0, a, e)
@@ -33,11 +30,7 @@ def margin_to_the_end(margin_: Expr = MARGIN) -> Theorem:
 @cache
 def sine_not_zero() -> Theorem:
     """sin(theta/2) != 0 for 0 < theta <= pi."""
-    half = sp.S.Half
-    low = positive(theta / 2 > 0, [half, theta > 0])
-    room = number(sp.Lt(0, pi / 2, evaluate=False))
-    high = positive(theta / 2 < pi, [half, theta <= pi], [room])
-    return positive(Ne(sp.sin(theta / 2), 0), [closed(sign_of(sp.sin, theta / 2), low, high)])
+    return Given(theta > 0, theta <= pi).show(Ne(sin(theta / 2), 0))
 
 
 @cache
@@ -52,9 +45,7 @@ def no_crossing() -> Theorem:
     energy = held_steady_state(assume(DEVICE), theta)
     gain = energy.conclusion.right - energy.conclusion.left  # type: ignore[attr-defined]
     eased = delta + y * (MARGIN - delta)
-    safe = positive(
-        eased >= 0, [positive(1 - y >= 0, y <= 1), delta > 0], [y > 0, margin_to_the_end()]
-    )
+    safe = positive(eased >= 0, [y <= 1, delta > 0], [y > 0, margin_to_the_end()])
     size = way * mirror(way)
     along, across = (way + mirror(way)) / 2, (way - mirror(way)) / (2 * I)
     nonnegative = combined(size >= 0, [square(along)], [square(across)])
@@ -67,9 +58,7 @@ def no_crossing() -> Theorem:
         [mirrored(root), -turned],
         [root, -mirror(turned)],
     )
-    contrary = not_intro(both, closed(balance, apart))
-    wanted = proposition(Ne(path, 0))
-    return disj_cases(decided(path, sp.S.Zero), contr(contrary, wanted), assume(wanted))
+    return by_contradiction(Ne(path, 0), both, closed(balance, apart))
 
 
 @cache
@@ -91,8 +80,7 @@ def turned_up(power: Expr, top: Expr, crossing: Theorem, *same: Theorem) -> Theo
     device = assume(DEVICE)
     rest = device_at_rest(device)
     static, pushed, decay = (conjunct(rest, claim) for claim in rest.conclusion.of)  # type: ignore[attr-defined]
-    below_one = positive(1 - y >= 0, y <= 1)
-    stiff = positive(y * alpha + gamma > 0, [y > 0, alpha + gamma > 0], [below_one, gamma >= 0])
+    stiff = positive(y * alpha + gamma > 0, [y > 0, alpha + gamma > 0], [y <= 1, gamma >= 0])
     total = top.subs(z, 1)
     at_one = combined(
         Ne((1 - a + e) + y * total * alpha, 0),
@@ -121,12 +109,12 @@ def _from_a_pole_at_one(
         for known in crossing.hypotheses
         if a in known.free
     )
-    pull = combined(alpha > 0, [assume(alpha + gamma > 0)], [free, 1])
+    pull = positive(alpha > 0, [alpha + gamma > 0], [free, 1])
     plant, wall = z**2 - (1 + e) * z + e, top * ((alpha + beta) * z - beta)
     crossing = prove_hyp(inst(crossing, {a: 1 + e}), *devices)
     total = top.subs(z, 1)
     at_one = positive(Ne(y * total * alpha, 0), [y > 0, pushes, pull])
-    below_one = closed(rising(exp, -delta, sp.S.Zero), positive(-delta < 0, delta > 0))
+    below_one = Given(delta > 0).closed(rising(exp, -delta, S.Zero))
     slow = combined(e < 1, [below_one], [decay, 1])
     last = combined(e > -1, [sign_of(exp, -delta)], [decay, -1], [sp.S.One])
     begin = all_inside(z, power, linear(z, last, slow))

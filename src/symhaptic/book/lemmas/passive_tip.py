@@ -1,13 +1,10 @@
 """The stiffest passive wall, (11), is stable with every spring, behind every whole delay."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
 from symhaptic.book.lemmas.passivity import passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import bound, slope, stiffest_wall, waves
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, Wall
-from symhaptic.notation import b
 from symhaptic.paper.propositions.comparison import STABLE
 
 

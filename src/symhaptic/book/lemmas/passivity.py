@@ -1,10 +1,7 @@
 """When is a wall behind a whole delay passive?  The condition at each angle, as an equivalence."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import margin
-from symhaptic.notation import b
 from symhaptic.proof.theorems.energy import toeplitz
 from symhaptic.proof.theorems.familiar import whole_delay
 

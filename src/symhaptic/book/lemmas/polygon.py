@@ -5,18 +5,16 @@ one of the sides, for all angles of an interval, or the device outweighs all wal
 way from the one wall to any other no zero then crosses the circle.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
 
+from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.model.passivity import mirror
 from symhaptic.numeric.plant import discretize
 from symhaptic.paper.propositions.areas import Side, Wall, sides, within
 from symhaptic.paper.propositions.stability import SQUARE
@@ -127,39 +125,26 @@ def stretches(arm: Arm, delay: int, corners: Sequence[Wall]) -> list[Stretch]:
 @cache
 def weights() -> dict[str, Theorem]:
     """0 <= |N|^2, and 0 < sin(theta/2), 0 < cos(theta/2) for 0 < theta < pi."""
-    half, quarter = S.Half, number(Relation(S.Zero, "<", pi / 2))
-    low = positive(theta / 2 > 0, [half, theta > 0])
-    high = positive(theta / 2 < pi / 2, [half, theta < pi])
+    here = Given(theta > 0, theta < pi)
     return {
-        "size": combined(SQUARE >= 0, [square(n_1 + n_0 * cos(theta))], [square(n_0 * sin(theta))]),
-        "sine": closed(sign_of(sin, theta / 2), low, positive(theta / 2 < pi, [high], [quarter])),
-        "cosine": closed(
-            sign_of(cos, theta / 2), positive(-pi / 2 < theta / 2, [low], [quarter]), high
-        ),
+        "size": positive(SQUARE >= 0, [square(n_1 + n_0 * cos(theta))], [square(n_0 * sin(theta))]),
+        "sine": here.show(sin(theta / 2) > 0),
+        "cosine": here.show(cos(theta / 2) > 0),
     }
 
 
 def _not_beyond(side: Side, delay: int, ranges: Any) -> Theorem:
     """No wall on the inner side has a zero at an angle of the interval."""
     p, q, c = side
-    known, size = weights(), SQUARE * cos(theta / 2)
-    inner = combined(
-        (c - p * alpha - q * beta) * size >= 0,
-        [assume(Relation(p * alpha + q * beta, "<=", c)), known["size"], known["cosine"]],
-    )
+    known, over_ = weights(), (p * alpha + q * beta - c) * SQUARE * cos(theta / 2)
+    side_ = Relation(p * alpha + q * beta, "<=", c)
+    inner = positive(over_ <= 0, [assume(side_), known["size"], known["cosine"]])
     root, back = assume(ROOT.at({d: S(delay)})), HALF * mirror(TOP)
     # real and imaginary part are |N|^2 times alpha cos(theta/2), (alpha + 2 beta) sin(theta/2)
     share = (p - q / 2) * back / 2 + q / 2 * cos(theta / 2) / sin(theta / 2) * back / (2 * I)
-    outer = combined(
-        Relation(S.Zero, "<", (p * alpha + q * beta - c) * size),
-        [at_point(beyond(side, delay), ranges)],
-        [root, -share],
-        [mirrored(root), -mirror(share)],
-    )
-    found = not_intro(
-        outer, combined(Relation((p * alpha + q * beta - c) * size, "<=", 0), [inner])
-    )
-    return closed(found, positive(Ne(sin(theta / 2), 0), [known["sine"]]))
+    zero = [root, -share], [mirrored(root), -mirror(share)]
+    outer = positive(over_ > 0, [at_point(beyond(side, delay), ranges)], *zero)
+    return closed(not_intro(outer, inner), not_zero(known["sine"]))
 
 
 def _not_outweighed(corners: Sequence[Wall], delay: int, ranges: Any) -> Theorem:
@@ -219,11 +204,8 @@ def no_zero(arm: Arm, delay: int, corners: Sequence[Wall]) -> Theorem:
             found = _not_beyond(stretch.side, delay, ranges)
         if stretch.high == pi:
             return found
-        high = positive(theta <= stretch.high, theta < stretch.high)
-        below = positive(
-            theta < pi, theta < stretch.high, [number(Relation(stretch.high, "<", pi))]
-        )
-        found = closed(found, high, below)
+        below = number(Relation(stretch.high, "<", pi))
+        found = Given(theta < stretch.high).closed(found, below)
         return disj_cases(ordered(theta, stretch.high), found, shown(index + 1))
 
     found = shown(0)

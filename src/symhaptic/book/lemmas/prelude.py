@@ -7,20 +7,25 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 from sympy import (
+    Abs,
     Add,
     Eq,
     Expr,
+    Function,
     I,
     Integer,
     Ne,
+    Poly,
     Rational,
     S,
     Symbol,
     cos,
     cosh,
+    cot,
     diff,
     exp,
     expand,
+    eye,
     pi,
     sin,
     sinh,
@@ -29,27 +34,39 @@ from sympy import (
     tan,
 )
 
+from symhaptic.model.parts import Parts
+from symhaptic.model.passivity import mirror, on_circle, real_part
 from symhaptic.notation import (
     B,
+    F,
     K,
     N,
+    Omega,
     T,
     X,
     a,
     alpha,
+    b,
     b_D,
     b_H,
     beta,
+    c,
     c_1,
+    c_2,
+    c_3,
     d,
     delta,
     e,
     epsilon,
     gamma,
+    h,
     k,
     k_H,
+    kappa,
     l,
     m,
+    m_0,
+    m_1,
     m_2,
     m_D,
     m_H,
@@ -57,14 +74,20 @@ from symhaptic.notation import (
     n_1,
     nu,
     omega,
+    p_k,
     phi,
     psi,
+    r,
     s,
     s_1,
     s_2,
     t,
     t_d,
+    tau,
     theta,
+    u,
+    v,
+    w,
     x,
     y,
     z,
@@ -89,12 +112,13 @@ from symhaptic.notation.proposition import (
     whole,
 )
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.ranges import RANGES
+from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
 from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.analysis import above_its_start, in_the_limit, increases, induction
 from symhaptic.proof.theorems.familiar import (
     axiom,
     both_ways,
+    bounded,
     decided,
     device_at_rest,
     device_comes_to_rest,
@@ -167,6 +191,8 @@ from symhaptic.proof.theorems.roots import (
 )
 from symhaptic.proof.theorems.tactics import (
     at,
+    by_contradiction,
+    by_multiple,
     chained,
     closed,
     counterexample,
@@ -187,5 +213,7 @@ from symhaptic.proof.theorems.tactics import (
     sine_of_half,
     zero_beyond,
 )
+
+HALF = Rational(1, 2)
 
 load_certificates(Path(__file__).with_name("certificates.json"))

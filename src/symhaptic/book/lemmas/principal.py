@@ -1,15 +1,11 @@
 """Half a period late: walls of which the principal sheet says something else than the true loop."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.late_loop import ALL_NUMBERS
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import m_0, m_1
 from symhaptic.proof.theorems.axioms import LATE_NUMBERS
 from symhaptic.proof.theorems.leaves import none_right, one_right
 
-HALF = Rational(1, 2)
 LOOP = (alpha, beta, gamma, delta)
 TRUE = Predicate("stable_loop", (), (*LOOP, HALF))
 READ = Predicate("stable_principal", (), (*LOOP, HALF))

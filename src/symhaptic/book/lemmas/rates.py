@@ -1,7 +1,5 @@
 """Walls that meet (5) at every frequency: in proportion to the damping, and to the rate."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.passivity import scaled
 
@@ -12,11 +10,7 @@ def with_damping_and_rate() -> tuple[Theorem, Theorem]:
     share, factor = over(1 / y > 0, one(), y > 0), assume(y > 0)
     then: Any = taken_apart(scaled(T / y))[2]
     damped, faster = (
-        either_way(
-            moved(*same.of, *first),
-            moved(*same.of[::-1], *second),
-            *same.of,
-        )
+        either_way(moved(*same.of, *first), moved(*same.of[::-1], *second), *same.of)
         for same, first, second in (
             (then.of[0], (omega, factor, S.One), (omega, share, S.One)),
             (then.of[1], (omega / y, S.One, share), (omega * y, S.One, factor)),

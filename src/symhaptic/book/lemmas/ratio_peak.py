@@ -4,8 +4,6 @@ For the arm of Figs. 11 and 12.  Each delay has a stable wall next to the tip of
 long ones have the wall (0.00059, 0).
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.counted_delays import each_delay
 from symhaptic.book.lemmas.marginal import behind
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
@@ -14,12 +12,10 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import limits, pushes
 from symhaptic.book.lemmas.stiffest_passive import bound, stiffest_wall
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, passive_walls
-from symhaptic.notation import b
+from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, from_bound, passive_walls
 from symhaptic.paper.propositions import ratio
 from symhaptic.paper.propositions.passivity import PASSIVE
 from symhaptic.paper.propositions.ratio import BEST, END, RATE, WALL, stable
-from symhaptic.paper.ranges import DAMPED, STIFF
 
 PEAK, SHARE = 40, Rational(9998, 10**4)
 """The delay at which eta is largest, and a number between that and all others."""
@@ -61,13 +57,7 @@ def of_delay(claim: Any, delay: int, arm: Arm = SPRUNG) -> Theorem:
         held = closed(found, fact(whole(S(delay))))
     else:
         wall, held = wall_below(arm, delay)
-    most = least(delay, arm[1])
-
-    def softer(wanted: Any) -> Theorem:
-        rest = number(Relation(S.Zero, "<", wanted.right - most.conclusion.right))  # type: ignore[attr-defined]
-        return combined(wanted, [most], [rest])
-
-    return beside(claim, held, wall, softer)
+    return beside(claim, held, wall, from_bound(least(delay, arm[1])))
 
 
 def late(claim: Any) -> Theorem:
@@ -83,13 +73,10 @@ def late(claim: Any) -> Theorem:
         gap = wanted.right - wanted.left
         room = wanted.right * (FAR + 1) - 2 * DAMPED
         many = positive(d + 1 > 0, d >= FAR, [FAR + 1])
-        product = combined(
-            gap * (d + 1) > 0, [high], [low], [wanted.right, assume(d >= FAR)], [room]
-        )
-        return positive(wanted, [over(gap > 0, product, many)])
+        products = [high], [low], [wanted.right, d >= FAR], [room]
+        return positive(wanted, [by_multiple(gap > 0, many, *products)])
 
-    found = beside(claim, stable_behind_every_delay(), (LATE, S.Zero), softer)
-    return closed(found, positive(Ne(d + 1, 0), d >= FAR, [FAR + 1]))
+    return beside(claim, stable_behind_every_delay(), (LATE, S.Zero), softer)
 
 
 @cache
@@ -203,9 +190,6 @@ def never_met(some: Any) -> Theorem:
     there = proposition(Ne(END, PEAK))
     elsewhere_ = at(elsewhere(), {d: END}, conj(late, assume(there)))
     of_peak = behind(PEAK, below(S.One), of_delay(under, PEAK))
-    cases = (
-        closed(contrary(S.One), inst(of_peak, {d: END})),
-        closed(contrary(SHARE), elsewhere_),
-    )
+    cases = (closed(contrary(S.One), inst(of_peak, {d: END})), closed(contrary(SHARE), elsewhere_))
     false = disj_cases(decided(END, S(PEAK)), *cases)
     return reductio(choose(assume(some), false), some)

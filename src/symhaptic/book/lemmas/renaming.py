@@ -1,7 +1,5 @@
 """Symbols that equations define, put in for what they stand for and out again."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation.terms import is_complex
 from symhaptic.proof.theorems.definedness import real

@@ -5,13 +5,10 @@ passive wall.  From above by one spring that excludes all stiffer walls; without
 and that of the Nyquist frequency.
 """
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 from scipy.optimize import minimize_scalar
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.near_tip import none_above
 from symhaptic.book.lemmas.nyquist_triangle import needed
 from symhaptic.book.lemmas.outpaced import at_point
@@ -20,13 +17,12 @@ from symhaptic.book.lemmas.passive_tip import at_unit, is_passive, passive_tip
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import least
 from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known, of_every_plant
-from symhaptic.book.lemmas.stiffness_claims import Wall, beside
+from symhaptic.book.lemmas.stiffness_claims import Wall, beside, from_bound
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 from symhaptic.paper.propositions import robust as claims
 from symhaptic.paper.propositions.plots import NYQUIST
 from symhaptic.paper.propositions.ratio import BEST, outdoes, passive
 from symhaptic.paper.propositions.robust import robust
-from symhaptic.paper.ranges import DAMPED
 
 STIFFEST = Rational(98702, 10**4)
 """A little more than the spring of the Nyquist frequency for delta = 0.02."""
@@ -49,10 +45,8 @@ def stable_beside_all(delay: int) -> Theorem:
     turn = Rational(1, 100)
     soft = _by_springs(goals, criterion, (S.Zero, turn))
     stiff = _by_springs(goals, criterion, (turn, STIFFEST))
-    low = positive(gamma <= turn, gamma < turn)
-    found = disj_cases(ordered(gamma, turn), closed(soft, low), stiff)
-    found = of_every_plant(found)
-    return numbers_known(inst(found, {delta: DAMPED}))
+    found = disj_cases(ordered(gamma, turn), Given(gamma < turn).closed(soft), stiff)
+    return numbers_known(inst(of_every_plant(found), {delta: DAMPED}))
 
 
 def _by_springs(goals: Any, criterion: Theorem, springs: tuple[Expr, Expr]) -> Theorem:
@@ -135,38 +129,15 @@ def _undelayed(damper: Rational, held: Theorem) -> tuple[Expr, Theorem]:
         at_point(-value.xreplace(wall), {**plant, **reach}),
         {u: alpha - limit, v: (edge - alpha) / 2 - beta},
     )
-    less = combined(Relation(value, "<=", S.Zero), [none])
     # the damping is not far below zero: a half plane of Jury's, and the triangle
-    low, stiff = -2 * damper, assume(alpha >= limit)
+    low = -2 * damper
     plane: Expr = second.conclusion.right  # type: ignore[attr-defined]
     room = expand(4 * n_0 * (beta - low) - plane - (n_1 - n_0) * (edge - alpha - 2 * beta))
-    late = at_point(n_0, plant)
-    slow = over(
-        beta - low > 0,
-        combined(
-            4 * n_0 * (beta - low) > 0,
-            [second],
-            [at_point(n_1 - n_0, plant), right],
-            [at_point(room, plant)],
-        ),
-        positive(4 * n_0 > 0, [4, late]),
-    )
-    ends = [
-        positive(alpha - limit >= 0, [stiff]),
-        positive((edge - alpha) / 2 - beta >= 0, [S.Half, right]),
-        positive(
-            alpha - limit <= 8 * damper, [right], [2, slow], [8 * damper + limit - edge + 2 * low]
-        ),
-        positive(
-            (edge - alpha) / 2 - beta <= 4 * damper,
-            [S.Half, stiff],
-            [slow],
-            [4 * damper + limit / 2 - edge / 2 + low],
-        ),
-    ]
-    contrary = closed(not_intro(minor, less), *ends, not_zero(positive(4 * n_0 > 0, [4, late])))
-    wanted = Relation(alpha, "<", limit)
-    found = disj_cases(ordered(alpha, limit), assume(wanted), contr(contrary, wanted))
+    products = [second], [at_point(n_1 - n_0, plant), right], [at_point(room, plant)]
+    weight = positive(4 * n_0 > 0, [4, at_point(n_0, plant)])
+    slow = by_multiple(beta - low > 0, weight, *products)
+    less = Given(alpha >= limit).closed(positive(value <= 0, [none]), right, slow)
+    found = by_contradiction(alpha < limit, minor, less)
     found = numbers_known(inst(of_every_plant(found), here))
     return limit, closed(found, stable[0], stable[1], held)
 
@@ -217,17 +188,10 @@ def conservative() -> Theorem:
     """By how much robustly stable walls can be stiffer than passive ones."""
     best, found = (passive(d, BEST), is_passive()), []
     for n, ends in claims.CONSERVATIVE.items():
-        low, high = map(Rational, ends)
+        high = Rational(ends[1])
         more = claims.between(n).of[0]  # type: ignore[attr-defined]
-        most = least(n)
-        room = number(Relation(S.Zero, "<", WALLS[n][0] - low * most.conclusion.right))  # type: ignore[attr-defined]
-        above = beside(more, is_robust(n), WALLS[n], partial(_softer, low, most, room))
+        above = beside(more, is_robust(n), WALLS[n], from_bound(least(n)))
         found.append(conj(above, outdone(*best, (n, DAMPED), (n, DAMPED), high)))
     for n, end in claims.AT_MOST.items():
         found.append(outdone(*best, (n, DAMPED), (n, DAMPED), Rational(end)))
     return conj(*found)
-
-
-def _softer(low: Expr, most: Theorem, room: Theorem, wanted: Any) -> Theorem:
-    """c alpha < x for every passive wall."""
-    return combined(wanted, [low, most], [room])

@@ -1,7 +1,5 @@
 """What a held force does to the samples of a device, in the units of the paper."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import definitions, explicit, renamed, unnamed
 from symhaptic.model.plant import Plant
@@ -48,10 +46,7 @@ def poles_apart() -> tuple[Theorem, ...]:
     split, spring = assume(Ne(SPLIT, 0)), assume(Ne(SPRING, 0))
     square = combined(Ne(SPLIT**2, 0), [split, split])
     upper, lower = (-RATE + SPLIT) / 2, (-RATE - SPLIT) / 2
-    return (
-        square,
-        *(factor(e, spring, -other) for e, other in ((upper, lower), (lower, upper))),
-    )
+    return (square, *(factor(e, spring, -other) for e, other in ((upper, lower), (lower, upper))))
 
 
 @cache

@@ -1,10 +1,7 @@
 """Devices in numbers: their answers to a held force, and points at which claims fail or hold."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import DEVICE, motion
-from symhaptic.notation import b
 from symhaptic.proof.theorems.familiar import amplified
 from symhaptic.proof.theorems.samples import held_answer
 
@@ -63,10 +60,7 @@ def completed(
 
 
 def fails(
-    claim: Proposition,
-    point: Mapping[Symbol, Any],
-    but: Any = None,
-    holds: Sequence[Any] = (),
+    claim: Proposition, point: Mapping[Symbol, Any], but: Any = None, holds: Sequence[Any] = ()
 ) -> Case:
     """A point at which a claim about a device fails, and one condition of several."""
     values, answers = completed(claim, point)

@@ -1,7 +1,5 @@
 """Loops that differ in their units only, and walls that no other part of theirs can make stable."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import (
     damping_between,
@@ -11,18 +9,8 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
 )
 from symhaptic.model.circle import powers
-from symhaptic.notation import b
-from symhaptic.paper.propositions.stability import (
-    HEAVY,
-    MORE,
-    SOON,
-    STIFFER,
-    STRONGER,
-    in_units,
-)
-from symhaptic.paper.propositions.stability import (
-    SHARE as LIGHTER,
-)
+from symhaptic.paper.propositions.stability import HEAVY, MORE, SOON, STIFFER, STRONGER, in_units
+from symhaptic.paper.propositions.stability import SHARE as LIGHTER
 from symhaptic.proof.theorems.definitions import loop_substituted
 
 DAMPER, SPRING = MORE[1:]

@@ -5,8 +5,6 @@ F = L + beta (n_1 + n_0 (1-L)) - u n_0 (1 + n_1 beta) - beta^2 n_0 S + gamma n_0
 where L = 1 - e and S = n_1 + n_0.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import (
@@ -17,7 +15,6 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
 )
 from symhaptic.paper.propositions.plots import OTHER, THICK
-from symhaptic.paper.ranges import STIFF
 from symhaptic.proof import box
 from symhaptic.proof.theorems.leaves import on_box as on_plain_box
 
@@ -102,33 +99,16 @@ def bounds() -> dict[str, Theorem]:
     _, _, inside = damping_between(0, RANGES)
     stiff = no_stiffer(0, (Rational(72, 100), Rational(83, 100)), RANGES)
     total, late = on_box(n_1 + n_0, RANGES), on_box(n_0, RANGES)
-    right = over(
-        alpha + gamma > 0, combined((alpha + gamma) * (n_1 + n_0) > 0, [first], [static]), total
-    )
-    apart = [positive(Ne(t.conclusion.right, 0), [t]) for t in (total, late)]  # type: ignore[attr-defined]
+    right = by_multiple(alpha + gamma > 0, total, [first], [static])
     wide = {**RANGES, alpha: (-STIFF, WIDE)}
     room = on_box(-2 * LOW * (n_1 + n_0) - (3 - a - e) - alpha * (n_1 - n_0), wide)
-    up = over(
-        beta - LOW > 0,
-        positive(2 * (n_1 + n_0) * (beta - LOW) > 0, [second], [room]),
-        positive(2 * (n_1 + n_0) > 0, [2, total]),
-    )
-    down = over(
-        HIGH - beta > 0,
-        positive(n_0 * (HIGH - beta) > 0, [inside], [on_box(n_0 * HIGH - 1, RANGES)]),
-        late,
-    )
+    up = by_multiple(beta - LOW > 0, show(2 * (n_1 + n_0) > 0, total), [second], [room])
+    here = Given(gamma <= STIFF)
     found = {
         "right": right,
-        "left": positive(WIDE - alpha - gamma > 0, [stiff], gamma <= STIFF, [Rational(1, 1000)]),
-        "up": closed(
-            up,
-            positive(alpha >= -STIFF, [right], gamma <= STIFF),
-            positive(alpha <= WIDE, [stiff], [Rational(2, 1000)]),
-        ),
-        "down": down,
+        "left": here.show(WIDE - alpha - gamma > 0, stiff),
+        "up": here.closed(up, right, stiff),
+        "down": by_multiple(HIGH - beta > 0, late, [inside], [on_box(n_0 * HIGH - 1, RANGES)]),
         "inside": inside,
     }
-    apart.append(positive(Ne(2 * (n_1 + n_0), 0), [2, total]))
-    found = {name: closed(t, *apart) for name, t in found.items()}
     return {name: t if name == "inside" else of_every_plant(t) for name, t in found.items()}

@@ -1,16 +1,7 @@
 """Without delay two springs of (23) have nearly the same stable walls."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.moved_wall import Moved
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.spring_box import (
-    HIGH,
-    SHARE,
-    START,
-    WIDE,
-    bounds,
-)
 from symhaptic.book.lemmas.undelayed_curve import between
 from symhaptic.paper.propositions.plots import (
     BESIDE,
@@ -21,7 +12,6 @@ from symhaptic.paper.propositions.plots import (
     near,
     undelayed,
 )
-from symhaptic.paper.ranges import STIFF
 
 
 def both_orders(made: Any) -> Theorem:
@@ -39,33 +29,9 @@ def moves(softer: bool) -> tuple[Moved, Theorem]:
 
 def steps(moved: Moved) -> tuple[Theorem, ...]:
     """The way of a moved wall is at most THICK (1 - eta), in each direction."""
-    known, share = bounds(), moved.share
-    stiff, soft = (gamma, OTHER) if moved.softer else (OTHER, gamma)
-    ends = [assume(stiff <= STIFF)], [assume(soft >= 0)]
-    slack = THICK * (1 - 2 * THICK)
-    reach = THICK + HIGH - 1
-    right = [moved.apart] if not moved.softer else [1 - WIDE * SHARE, moved.apart]
-    here = [moved.low, known["left"]]
-    if moved.softer:
-        left = [here, right, [slack - WIDE * START], [THICK, moved.high]]
-        back = [[moved.low, known["right"]], *ends, [slack - STIFF], [THICK, moved.high]]
-        turned = [[reach * SHARE, *end] for end in ends]
-        rest = [THICK - reach * (START + SHARE * STIFF)]
-    else:
-        left = [here, *ends, [THICK - STIFF - START * (WIDE + THICK)]]
-        back = [[moved.low, known["right"]], right, [THICK * (1 - START)]]
-        turned, rest = [], [THICK - reach * START]
-    ways = moved.stiffness - alpha, moved.damping - beta
-    products = (
-        *(left, back),
-        *([[moved.low, known[side]], *turned, rest] for side in ("down", "up")),
-    )
-    room = THICK * (1 - share)
-    goals = [room + sign * way for way in ways for sign in (1, -1)]
-    return tuple(
-        combined(Relation(S.Zero, "<=", goal), *known_)
-        for goal, known_ in zip(goals, products, strict=True)
-    )
+    ways, room = (moved.stiffness - alpha, moved.damping - beta), THICK * (1 - moved.share)
+    here = moved.around.and_(moved.low, moved.high)
+    return tuple(here.show(room + sign * way >= 0) for way in ways for sign in (1, -1))
 
 
 def kept(softer: bool) -> Theorem:

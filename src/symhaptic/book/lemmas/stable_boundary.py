@@ -1,13 +1,9 @@
 """The explicit boundary in a form for computing, and the slope of its stiffness."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Block, Later, not_zero
 from symhaptic.forms.device_forms import made_of
-from symhaptic.model.passivity import mirror
 from symhaptic.model.plant import Sampled
-from symhaptic.notation import m_0, m_1
 
 TURN = exp(I * theta)
 INSIDE = tuple(map(proposition, (theta > 0, theta < pi)))

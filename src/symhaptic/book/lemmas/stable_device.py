@@ -1,7 +1,5 @@
 """The sampled device in entire functions, without a delay and behind a fraction of a period."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Block, Later, Named, not_zero
 from symhaptic.forms import fractional_delay, stable
@@ -12,7 +10,6 @@ from symhaptic.forms.response import closed
 from symhaptic.model import loop
 from symhaptic.model.parts import FULL
 from symhaptic.model.plant import Sampled
-from symhaptic.notation import c, m_0, m_1
 
 DELAY = 2
 """Forms that are made for one whole delay are shown for this one."""

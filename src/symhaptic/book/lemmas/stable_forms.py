@@ -4,8 +4,6 @@ A block has names, each defined by an equation, and equations between a computed
 derived one in these names; all is proved by normal forms, where nothing is divided by zero.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -1,14 +1,10 @@
 """What a wall needs at an angle, in entire functions, and the walls that are just passive."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Block, Later, Named, not_zero
 from symhaptic.forms import required_damping, stable
 from symhaptic.forms.entire import Chord, Sinc, written_out
-from symhaptic.notation import v, w
 
-HALF = Rational(1, 2)
 ANGLE = tuple(map(proposition, (theta > 0, theta < pi)))
 HALF_ANGLE = tuple(map(proposition, (psi > 0, psi < pi / 2)))
 WALL = {alpha: S.One, beta: S.Half, delta: S(2)}

@@ -1,7 +1,5 @@
 """The slope of the stiffness on the boundary, which vanishes at the stiffest stable wall."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_boundary import (
     BOTTOM,
@@ -17,8 +15,6 @@ from symhaptic.book.lemmas.stable_boundary import (
 )
 from symhaptic.book.lemmas.stable_forms import Block, Later, Named, not_zero
 from symhaptic.forms import max_stiffness_slope
-from symhaptic.model.passivity import mirror
-from symhaptic.notation import c_2, c_3, m_0, m_1
 
 f, g, v, w, q, r = symbols("f g v w q r")
 """Of the force A/M: its real and imaginary part below, over cos(theta/2)^2, and what it turns."""

@@ -1,12 +1,9 @@
 """Walls that are just passive, and the linear condition, in entire functions."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Block, Later, not_zero
 from symhaptic.book.lemmas.stable_need import (
     ANGLE,
-    HALF,
     S_0,
     Z_1,
     Z_2,
@@ -17,7 +14,6 @@ from symhaptic.book.lemmas.stable_need import (
 )
 from symhaptic.forms import stable, stiffest_passive
 from symhaptic.forms.entire import Chord, Sinc, Spread, written_out
-from symhaptic.notation import v
 from symhaptic.proof.theorems.familiar import divided
 
 LINE = (x, kernel(d, theta)), (y, derivative(kernel(d, theta), theta))

@@ -1,18 +1,9 @@
 """The stiffest passive wall behind a whole delay: the tip of the envelope."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.corners import stiffest
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.region import (
-    DELAY,
-    measured,
-    needed,
-    on_first_half,
-    sufficient,
-)
-from symhaptic.notation import b
+from symhaptic.book.lemmas.region import DELAY, measured, needed, on_first_half, sufficient
 
 TURN = pi / (4 * (d + 1))
 """Half the angle at which damping does nothing, theta = pi/(2 (d+1))."""

@@ -5,8 +5,6 @@ on the box.  The last of them, of the largest minor, falls with the stiffness: w
 one stiffness for every damping, no stiffer wall is stable.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
@@ -79,18 +77,9 @@ def damping_between(delay: int, ranges: Ranges, widest: Expr = WIDEST) -> tuple[
     last = closed(last_coefficient(zeros), fact(whole(late)))
     low, high = (conjunct(last, p) for p in conjuncts(last.conclusion))
     weight, room = (on_box(f, ranges) for f in (n_0, widest * n_0 - 1))
-    bounds = [
-        over(side, combined(n_0 * rest > 0, [room], [known]), weight)
-        for side, rest, known in (
-            (widest + beta > 0, widest + beta, high),
-            (widest - beta > 0, widest - beta, low),
-        )
-    ]
-    apart = positive(sp.Ne(n_0, 0), [weight])
-    ends = [
-        closed(combined(claim, [known]), apart)
-        for claim, known in zip((beta >= -widest, beta <= widest), bounds, strict=True)
-    ]
+    least = by_multiple(widest + beta > 0, weight, [room], [high])
+    most = by_multiple(widest - beta > 0, weight, [room], [low])
+    ends = positive(beta >= -widest, [least]), positive(beta <= widest, [most])
     return (*ends, positive(1 - n_0 * beta > 0, [low]))
 
 
@@ -111,9 +100,7 @@ def no_stiffer(delay: int, wall: tuple[Expr, Expr], ranges: Ranges) -> Theorem:
         slope = -derivative(value, alpha).xreplace({alpha: limit})
         falls = [[stiff, on_box(slope, wide)], [stiff, stiff, weight, weight]]
     falling = combined(Relation(value, "<=", S.Zero), [fails(value, wall, wide)], *falls)
-    contrary = not_intro(minor, falling)
-    wanted = Relation(alpha, "<", limit)
-    found = disj_cases(ordered(alpha, limit), assume(wanted), contr(contrary, wanted))
+    found = by_contradiction(Relation(alpha, "<", limit), minor, falling)
     return of_every_plant(closed(found, low, high))
 
 
@@ -137,21 +124,11 @@ def towards(planes: Any, minor: Theorem, inside: Theorem, wide: Ranges) -> Theor
     at_one, second, third = planes
     one, two, three = (t.conclusion.right for t in planes)
     between = circle.expanded(8 - one - two - three)
-    product = combined(Relation(S.Zero, "<", two * between), [at_one, third], [8, minor])
-    middle = over(Relation(S.Zero, "<", between), product, second)
+    middle = by_multiple(between > 0, second, [at_one, third], [8, minor])
     value: Expr = minor.conclusion.right  # type: ignore[attr-defined]
     toward = 1 + n_1 * beta
     rest = circle.quotient(n_0 * toward * between - (n_1 + n_0) * value, 1 - n_0 * beta)
-    heavy = on_box(n_1 + n_0, wide)
-    weight = on_box(n_0, wide)
-    back = assume(Relation(toward, "<=", S.Zero))
-    down = combined(
-        Relation(value * (n_1 + n_0), "<=", S.Zero),
-        [weight, back, middle],
-        [inside, on_box(rest, wide)],
-    )
-    above = Relation(S.Zero, "<", value * (n_1 + n_0))
-    contrary = not_intro(positive(above, [minor, heavy]), down)
-    wanted = Relation(S.Zero, "<", toward)
-    found = disj_cases(ordered(S.Zero, toward), assume(wanted), contr(contrary, wanted))
-    return closed(found, positive(Relation(two, "!=", S.Zero), [second]))
+    height = value * (n_1 + n_0)
+    products = [on_box(n_0, wide), toward <= 0, middle], [inside, on_box(rest, wide)]
+    up = positive(height > 0, [minor, on_box(n_1 + n_0, wide)])
+    return by_contradiction(toward > 0, up, positive(height <= 0, *products))

@@ -1,11 +1,8 @@
 """A wall beside all others: that a stable wall outdoes the passive ones, and the other way."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import largest_of
-from symhaptic.book.lemmas.stiffest_stable import Ranges, no_stiffer, stable_wall
-from symhaptic.notation import b
+from symhaptic.book.lemmas.stiffest_stable import Ranges, no_stiffer, numbers_known, stable_wall
 from symhaptic.paper.propositions.passivity import printed_of
 from symhaptic.paper.propositions.ratio import ARM, WALL
 
@@ -40,6 +37,20 @@ def beside(
     shown = conj(*map(bounds, conjuncts(then))) if then.parts else bounds(then)
     others = for_all(WALL, [given], shown)
     return exists(conj(best, others), claim, values)
+
+
+def from_bound(softer: Theorem) -> Callable[[Any], Theorem]:
+    """What shows c alpha < r, or <=, of all walls with alpha < L, or <=, as c L is less than r."""
+    bound = relation(softer)
+
+    def shown(wanted: Any) -> Theorem:
+        share = wanted.left.coeff(alpha)
+        rest = wanted.right - share * bound.right
+        sign = "<=" if wanted.sign == "<=" or bound.sign == "<" else "<"
+        room = rest if rest.is_Rational and rest > 0 else number(Relation(S.Zero, sign, rest))
+        return combined(wanted, [share, softer], [room])
+
+    return shown
 
 
 def passive_walls(delay: int, printed: Any) -> tuple[Theorem, Theorem, Wall]:
@@ -84,20 +95,8 @@ def passive_beside_stable(claim: Proposition, delay: int, printed: Any) -> Theor
     passive, _, wall = passive_walls(delay, printed)
     passive = inst(passive, {delta: ARM[delta]})
     wall = tuple(v.subs(delta, ARM[delta]) for v in wall)
-    above = inst(no_stiffer(delay, CORNER[delay], HERE), ARM)
-    above = closed(above, *_numbers(above))
-
-    def bound(wanted: Any) -> Theorem:
-        share = wanted.left.coeff(alpha)
-        rest = number(Relation(S.Zero, "<", wanted.right - share * CORNER[delay][0]))
-        return combined(wanted, [share, above], [rest])
-
-    return beside(claim, closed(passive, *_numbers(passive)), wall, bound)
-
-
-def _numbers(theorem: Theorem) -> list[Theorem]:
-    """The hypotheses that are relations between numbers."""
-    return [fact(p) for p in theorem.hypotheses if isinstance(p, Relation) and not p.free]
+    above = numbers_known(inst(no_stiffer(delay, CORNER[delay], HERE), ARM))
+    return beside(claim, numbers_known(passive), wall, from_bound(above))
 
 
 def of_ratio(claim: Proposition, delay: int, wall: Wall) -> Theorem:
@@ -122,21 +121,11 @@ def of_delay(claim: Proposition) -> Theorem:
     symbols, given, then = taken_apart(claim)
     below, digits = conjuncts(then)
     first = no_stiffer(1, (Rational("0.22") * UNDELAYED[0], Rational("0.424")), RANGES)
-    less = beside(
-        below,
-        stable_wall(0, UNDELAYED, RANGES),
-        UNDELAYED,
-        lambda wanted: combined(wanted, [first]),
-    )
+    stable = stable_wall(0, UNDELAYED, RANGES)
+    less = beside(below, stable, UNDELAYED, lambda wanted: combined(wanted, [first]))
     best: Wall = tuple(v.subs(delta, ARM[delta]) for v in LATE)
     late = inst(stable_wall(1, LATE, RANGES), ARM)
     most = inst(no_stiffer(0, CORNER[0], HERE), ARM)
-    late, most = (closed(t, *_numbers(t)) for t in (late, most))
-
-    def bound(wanted: Any) -> Theorem:
-        share = wanted.left.coeff(alpha)
-        rest = number(Relation(S.Zero, "<", wanted.right - share * CORNER[0][0]))
-        return combined(wanted, [share, most], [rest])
-
-    found = conj(less, beside(digits, late, best, bound))
+    late, most = map(numbers_known, (late, most))
+    found = conj(less, beside(digits, late, best, from_bound(most)))
     return for_all(symbols, given, add_assum(found, *given))

@@ -1,9 +1,6 @@
 """With which frequency does a damped mass on a spring swing?"""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import b
 from symhaptic.proof.theorems.familiar import divided, swinging
 
 RATE = Symbol("sigma")

@@ -1,7 +1,5 @@
 """The tip of the envelope, where N psi = pi/2, leaves all angles 0 < N psi < pi a margin."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import HERE, lowest_coefficients, sine, size, width
 from symhaptic.book.lemmas.envelope import (
     LOWER,

@@ -1,7 +1,5 @@
 """Each wall of the envelope leaves all angles 0 < N psi < pi a margin, for every N > 2."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import HERE, cosine, sine, sine_of_larger, width
 from symhaptic.book.lemmas.envelope import (
     LOWER,

@@ -5,8 +5,6 @@ the device swings by M psi per period, M = q + 1, take w = exp(j psi) with N psi
 N = p + q + 1: there only the wall's part of the polynomial is left.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import NUMBERS

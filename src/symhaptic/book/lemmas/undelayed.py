@@ -1,18 +1,11 @@
 """The passivity condition without delay and its summary (6), which wants b > KT/2 + |B|."""
 
-from __future__ import annotations
-
-from sympy import Abs
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
-from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import SIX
-from symhaptic.proof.theorems.familiar import bounded
 
-HALF = S.Half
 BORDER = K * T / 2 + Abs(B)
 APART = proposition(Ne(b, BORDER))
 OFF_BORDER = Or((proposition(Eq(B, 0)), APART))
@@ -100,10 +93,7 @@ def off_the_border(frequencies: Any, sufficient: Theorem, needed: Theorem) -> Th
 def middle_inside() -> tuple[Theorem, Theorem]:
     """pi/(2T) lies between 0 and pi/T."""
     half = number(Relation(S.Zero, "<", pi / 2))
-    return (
-        over(pi / (2 * T) > 0, half, T > 0),
-        over(pi / (2 * T) < pi / T, half, T > 0),
-    )
+    return (over(pi / (2 * T) > 0, half, T > 0), over(pi / (2 * T) < pi / T, half, T > 0))
 
 
 def passive() -> Theorem:
@@ -113,10 +103,7 @@ def passive() -> Theorem:
     up, down = cosine_bounds(theta)
     above = combined(margin >= 0, [enough_], [magnitude(B), -1], [assume(B >= 0), up])
     below = combined(
-        margin >= 0,
-        [enough_],
-        [magnitude(B, negative=True), -1],
-        [positive(-B >= 0, B < 0), down],
+        margin >= 0, [enough_], [magnitude(B, negative=True), -1], [positive(-B >= 0, B < 0), down]
     )
     below = closed(below, positive(B <= 0, B < 0))
     always = for_all([theta], INSIDE, by_sign_of_damping(above, below))

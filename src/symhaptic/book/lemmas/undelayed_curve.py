@@ -1,7 +1,5 @@
 """Without delay the stable walls of an arm of (23) lie between a line and a curve."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
@@ -15,22 +13,19 @@ from symhaptic.book.lemmas.stiffest_stable import (
     towards,
 )
 from symhaptic.paper.propositions.plots import CURVE, undelayed
-from symhaptic.paper.ranges import STIFF
 
 BETWEEN = both([alpha > -gamma, alpha < CURVE])
 WALLS = both([beta > -1, *BETWEEN.parts])
 NEAR, ROOM = alpha + gamma, 1 - n_0 * beta
 TOTAL, WEIGHT = n_0 + n_1, n_0 * (1 + n_1 * beta)
-WIDE = {**RANGES, beta: (-1, sp.Rational(21, 10))}
-MOST = sp.Integer(10)
+WIDE = {**RANGES, beta: (-1, WIDEST)}
+MOST = Integer(10)
 
 
 @cache
 def plants() -> dict[str, Theorem]:
     """What is known of the numbers of a device of (23)."""
-    toward = positive(
-        1 + n_1 * beta > 0, [on_box(1 - n_1, RANGES)], [on_box(n_1, RANGES), beta > -1]
-    )
+    toward = show(1 + n_1 * beta > 0, on_box(1 - n_1, RANGES), on_box(n_1, RANGES), beta > -1)
     late = on_box(n_0, RANGES)
     return {
         "static": of_device("device at rest", assume(DEVICE)),
@@ -46,10 +41,11 @@ def needed() -> Theorem:
     """A stable wall lies between them."""
     first, _, _, minor = inequalities(0)
     known = plants()
-    right = over(NEAR > 0, combined(NEAR * TOTAL > 0, [first], [known["static"]]), known["total"])
-    left = over(CURVE - alpha > 0, combined(minor.conclusion, [minor]), known["weight"])
-    found = conj(positive(alpha > -gamma, [right]), combined(alpha < CURVE, [left]))
-    return closed(found, *(not_zero(known[n]) for n in ("total", "weight", "late", "toward")))
+    right = by_multiple(alpha > -gamma, known["total"], [first], [known["static"]])
+    left = by_multiple(alpha < CURVE, known["weight"], [minor])
+    return closed(
+        conj(right, left), *(not_zero(known[n]) for n in ("total", "weight", "late", "toward"))
+    )
 
 
 @cache
@@ -62,52 +58,18 @@ def enough() -> Theorem:
     static = known["static"]
     apart = [not_zero(known[n]) for n in ("weight", "late", "toward")]
     inner = closed(combined(minor, [left, known["weight"]]), *apart)
-    near = positive(NEAR > 0, alpha > -gamma)
-    room = _room(inner, near, minor.right)
-    below = over(
-        sp.Rational(21, 10) - beta > 0,
-        positive(
-            n_0 * (sp.Rational(21, 10) - beta) > 0,
-            [room],
-            [on_box(n_0 * sp.Rational(21, 10) - 1, RANGES)],
-        ),
-        known["late"],
-    )
-    sides = positive(beta >= -1, beta > -1), positive(beta <= sp.Rational(21, 10), [below])
+    room = _room(inner, minor.right)
+    below = by_multiple(beta < WIDEST, known["late"], [room], [on_box(n_0 * WIDEST - 1, RANGES)])
     push = on_box(2 * WEIGHT + (n_1 - n_0) * ROOM, WIDE)
-    product = combined(
-        second.right * ROOM > 0,
-        [2, inner],
-        [near, push],
-        [static, _share(second.right * ROOM - 2 * minor.right)],
-    )
-    plane = over(second, product, room)
-    reach = over(
-        MOST - NEAR > 0,
-        combined(
-            WEIGHT * (MOST - NEAR) > 0,
-            [inner],
-            [
-                on_box(
-                    WEIGHT * (MOST + alpha)
-                    - WEIGHT * alpha
-                    - WEIGHT * gamma
-                    - sp.expand(minor.right + alpha * WEIGHT),
-                    WIDE,
-                )
-            ],
-        ),
-        known["weight"],
-    )
-    far = {**WIDE, alpha: (-STIFF, MOST)}
-    flat = closed(
-        on_box(third.right, far),
-        positive(alpha >= -STIFF, alpha > -gamma, gamma <= STIFF),
-        closed(positive(alpha <= MOST, [reach], gamma >= 0), *apart),
-    )
-    at_one = combined(first, [known["total"], near], [static, -S.One])
+    share = _share(second.right * ROOM - 2 * minor.right)
+    plane = by_multiple(second, room, [2, inner], [alpha > -gamma, push], [static, share])
+    rest = on_box(expand(WEIGHT * (MOST - NEAR) - minor.right), WIDE)
+    reach = by_multiple(NEAR < MOST, known["weight"], [inner], [rest])
+    flat = on_box(third.right, {**WIDE, alpha: (-STIFF, MOST)})
+    at_one = positive(first, [known["total"], alpha > -gamma], [static, -S.One])
     found = mp(loop, conj(at_one, plane, flat, inner))
-    return closed(found, *sides, *apart, not_zero(room), *sides, *apart)
+    here = Given(alpha > -gamma, gamma >= 0, gamma <= STIFF, beta > -1)
+    return here.closed(closed(found, *apart), closed(below, *apart), closed(reach, *apart))
 
 
 def _share(expr: Expr) -> Expr:
@@ -115,25 +77,19 @@ def _share(expr: Expr) -> Expr:
     return derivative(sp.expand(expr), a)
 
 
-def _room(inner: Theorem, near: Theorem, minor: Expr) -> Theorem:
+def _room(inner: Theorem, minor: Expr) -> Theorem:
     """0 < 1 - n_0 beta: otherwise the minor is not positive."""
     known = plants()
-    claim, no = Relation(S.Zero, "<", ROOM), assume(Relation(ROOM, "<=", S.Zero))
-    late = over(
-        beta - 1 > 0, positive(n_0 * (beta - 1) > 0, [no], [on_box(1 - n_0, RANGES)]), known["late"]
-    )
+    no = assume(ROOM <= 0)
+    late = by_multiple(beta > 1, known["late"], [no], [on_box(1 - n_0, RANGES)])
     heavy = positive(
         1 - e + gamma * n_0 + beta * TOTAL > 0,
         [known["total"], late],
         [on_box(TOTAL + 1 - e + gamma * n_0, RANGES)],
     )
-    less = combined(
-        Relation(minor, "<=", S.Zero),
-        [heavy, no],
-        [near, known["weight"]],
-        [known["static"], -_share(minor)],
-    )
-    return disj_cases(ordered(S.Zero, ROOM), assume(claim), contr(not_intro(inner, less), claim))
+    share = [known["static"], -_share(minor)]
+    less = positive(minor <= 0, [heavy, no], [alpha > -gamma, known["weight"]], share)
+    return by_contradiction(ROOM > 0, inner, less)
 
 
 @cache
@@ -152,19 +108,15 @@ def above_minus_one() -> Theorem:
     toward = towards(planes, minor, inside, {**RANGES, beta: (-WIDEST, WIDEST)})
     total = on_box(TOTAL, RANGES)
     static = of_device("device at rest", assume(DEVICE))
-    pushed = combined((alpha + gamma) * TOTAL > 0, [planes[0]], [static])
-    near = over(alpha + gamma > 0, pushed, total)
-    found = above_one(minor, toward, near)
-    return of_every_plant(closed(found, low, high, not_zero(total)))
+    near = by_multiple(alpha + gamma > 0, total, [planes[0]], [static])
+    return of_every_plant(closed(above_one(minor, toward, near), low, high))
 
 
 def above_one(minor: Theorem, toward: Theorem, near: Theorem) -> Theorem:
     """-1 < beta, from 0 <= minor, 0 < 1 + n_1 beta and 0 < alpha + gamma."""
     value, below = away()
-    negative = combined(Relation(value, "<", S.Zero), [below], [on_box(n_0, RANGES), toward, near])
-    wanted = Relation(-S.One, "<", beta)
-    no = contr(not_intro(minor, negative), wanted)
-    return disj_cases(ordered(-S.One, beta), assume(wanted), no)
+    negative = positive(value < 0, [below], [on_box(n_0, RANGES), toward, near])
+    return by_contradiction(beta > -1, minor, negative)
 
 
 @cache

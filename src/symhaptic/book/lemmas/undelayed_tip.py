@@ -4,14 +4,11 @@ With x = 1 + n_1 beta > 0 and w^2 = n_0 (n_0 + e n_1 - gamma n_0 n_1) Jury's min
 n_0 x (alpha_max - alpha) - (n_1 + n_0) (n_0 x - w)^2/(n_0 n_1^2).
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import damping_between, inequalities, on_box, towards
-from symhaptic.notation import w
 from symhaptic.paper.propositions.comparison import STABLE
 
 WIDE = {gamma: (S.Zero, Rational(1, 100)), delta: (S.Zero, Rational(1, 10))}
@@ -41,13 +38,12 @@ def claim() -> Proposition:
 @cache
 def signs() -> dict[str, Theorem]:
     """0 < n_0, n_1 and n_1 + n_0."""
-    return {name: on_box(f, WIDE) for name, f in (("n_0", n_0), ("n_1", n_1), ("total", TOTAL))}
+    known = {name: on_box(f, WIDE) for name, f in (("n_0", n_0), ("n_1", n_1), ("total", TOTAL))}
+    return {**known, "weight": show(n_0 * n_1**2 > 0, *known.values())}
 
 
 def _apart() -> tuple[Theorem, ...]:
-    known = signs()
-    product = positive(n_0 * n_1**2 > 0, [known["n_0"], known["n_1"], known["n_1"]])
-    return (*(not_zero(t) for t in known.values()), not_zero(product))
+    return tuple(map(not_zero, signs().values()))
 
 
 @cache
@@ -57,25 +53,18 @@ def none_stiffer() -> Theorem:
     low, high, inside = damping_between(0, WIDE, FARTHEST)
     toward = towards(planes, minor, inside, {**WIDE, beta: (-FARTHEST, FARTHEST)})
     known, x = signs(), 1 + n_1 * beta
-    bend = over(
-        TOTAL / (n_0 * n_1**2) > 0,
-        known["total"],
-        positive(n_0 * n_1**2 > 0, [known["n_0"], known["n_1"], known["n_1"]]),
-    )
+    bend = over(TOTAL / (n_0 * n_1**2) > 0, known["total"], known["weight"])
     static, root = device_static(assume(DEVICE)), assume(Eq(w**2, SIZE))
     share = (n_0 * beta - 1) / (n_0 * n_1)
-    product = combined(
-        n_0 * x * (LARGEST - alpha) > 0,
+    found = by_multiple(
+        alpha < LARGEST,
+        positive(n_0 * x > 0, [known["n_0"], toward]),
         [minor],
         [bend, square(n_0 * x - w)],
         [static, -beta * n_0],
         [root, -share],
     )
-    found = over(LARGEST - alpha > 0, product, positive(n_0 * x > 0, [known["n_0"], toward]))
-    found = closed(positive(alpha < LARGEST, [found]), low, high)
-    return closed(
-        found, *_apart(), not_zero(positive(n_0 * x > 0, [known["n_0"], toward])), low, high
-    )
+    return closed(found, *_apart(), low, high)
 
 
 LOW, HIGH = Rational(6, 10), Rational(3, 4)
@@ -86,16 +75,11 @@ WIDER = {**WIDE, w: (LOW, HIGH)}
 @cache
 def size_between() -> tuple[Theorem, Theorem]:
     """LOW <= w <= HIGH, from w^2 = SIZE and 0 <= w."""
-    root, some = assume(Eq(w**2, SIZE)), assume(w >= 0)
-    found = []
-    for sign, end, claim in ((1, HIGH, w <= HIGH), (-1, LOW, w >= LOW)):
-        gap = combined(
-            sign * (end - w) * (end + w) > 0, [on_box(sign * (end**2 - SIZE), WIDE)], [root, sign]
-        )
-        more = positive(end + w > 0, [some], [end])
-        inner = closed(over(sign * (end - w) > 0, gap, more), not_zero(more))
-        found.append(positive(claim, [inner]))
-    return found[1], found[0]
+    root = Eq(w**2, SIZE)
+    more, most = (positive(end + w > 0, [end], [w >= 0]) for end in (LOW, HIGH))
+    low = by_multiple(w > LOW, more, [on_box(SIZE - LOW**2, WIDE)], [root, -1])
+    high = by_multiple(w < HIGH, most, [on_box(HIGH**2 - SIZE, WIDE)], [root, 1])
+    return positive(w >= LOW, [low]), positive(w <= HIGH, [high])
 
 
 @cache
@@ -103,29 +87,23 @@ def all_softer() -> Theorem:
     """The walls with BEST are stable for -gamma < alpha < LARGEST."""
     known, ends = signs(), size_between()
     static, root = device_static(assume(DEVICE)), assume(Eq(w**2, SIZE))
-    above, below = assume(-gamma < alpha), assume(alpha < LARGEST)
-    right = positive(alpha + gamma > 0, [above])
-    left = positive(LARGEST - alpha > 0, [below])
-    weight = positive(n_0 * n_1**2 > 0, [known["n_0"], known["n_1"], known["n_1"]])
     room = on_box((2 + gamma) * n_0 * n_1**2 - (TOTAL - w) ** 2, WIDER)
-    two = over(2 - LARGEST > 0, room, weight)
-    box_ = [
-        positive(alpha >= -WIDE[gamma][1], [above], gamma <= WIDE[gamma][1]),
-        positive(alpha <= 2, [below], [two]),
-    ]
+    two = over(2 - LARGEST > 0, room, known["weight"])
+    here = Given(-gamma < alpha, alpha < LARGEST, gamma <= WIDE[gamma][1])
+    inside = (*ends, here.show(alpha >= -WIDE[gamma][1]), here.show(alpha <= 2, two))
     loop = inst(by_inequalities(0), {beta: BEST})
     goals = conjuncts(loop.conclusion.of[1])  # type: ignore[attr-defined]
     product = positive(n_0 * n_1 > 0, [known["n_0"], known["n_1"]])
     wide = {**WIDER, alpha: (-WIDE[gamma][1], S(2))}
     share = (n_0 * BEST - 1) / (n_0 * n_1)
-    shown = [combined(goals[0], [known["total"], right], [static, -S.One])]
+    shown = [positive(goals[0], [known["total"], -gamma < alpha], [static, -S.One])]
     for goal in goals[1:3]:
         value = expand(goal.right * n_0 * n_1)  # type: ignore[attr-defined]
         shown.append(over(goal, on_box(value, wide), product))
     heavy = positive(w > 0, [ends[0]], [LOW])
-    shown.append(combined(goals[3], [heavy, left], [static, n_0 * BEST], [root, share]))
-    found = mp(loop, conj(*shown))
-    return closed(found, *box_, *ends, *_apart(), not_zero(product), *ends)
+    rest = [static, n_0 * BEST], [root, share]
+    shown.append(positive(goals[3], [heavy, alpha < LARGEST], *rest))
+    return closed(mp(loop, conj(*shown)), *inside, *_apart(), not_zero(product))
 
 
 @cache

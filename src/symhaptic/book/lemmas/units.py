@@ -1,11 +1,8 @@
 """The loop in units of its mass and of its period, with the five numbers of Table I."""
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import renamed
 from symhaptic.book.lemmas.sampled import DEVICE, positive_square
-from symhaptic.notation import b
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.familiar import in_units
 from symhaptic.proof.theorems.samples import one_answer, turns

@@ -4,8 +4,6 @@ On the ray of a wall with u = KT/2 > 0 and w = B + KT/2 beyond the corner, (N^2+
 wall of the envelope, N = 2 (d+1) > 2; both need their whole damping, and so the same.
 """
 
-from __future__ import annotations
-
 from symhaptic.book.lemmas.chords import sine, sine_of_larger, size, width
 from symhaptic.book.lemmas.envelope import divisor
 from symhaptic.book.lemmas.linear_part import known
@@ -21,7 +19,6 @@ from symhaptic.book.lemmas.region import (
     sufficient,
 )
 from symhaptic.book.lemmas.touching import touches
-from symhaptic.notation import b, u, w
 from symhaptic.paper.propositions.passivity import ABOVE
 from symhaptic.proof.theorems.analysis import crosses_zero
 

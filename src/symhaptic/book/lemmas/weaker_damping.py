@@ -4,8 +4,6 @@ Without delay and one period late two linear functions of the damping enclose th
 stiffness on all of (23), near enough for dampings that are two percent apart.
 """
 
-from __future__ import annotations
-
 import itertools
 
 from symhaptic.book.lemmas.chords import not_zero
@@ -22,12 +20,12 @@ from symhaptic.book.lemmas.stiffness_claims import (
     LATE,
     UNDELAYED,
     beside,
+    from_bound,
     passive_walls,
 )
 from symhaptic.paper.propositions import ratio
 from symhaptic.paper.propositions.ratio import BEST, RATE, SPRINGS, WALL, stable
 from symhaptic.paper.propositions.stability import HEAVIER
-from symhaptic.paper.ranges import DAMPED
 
 APART = Rational(102, 100)
 """One damping is at least so many times the other."""
@@ -215,8 +213,7 @@ def _step(some: Any, arm: Arm, other: Arm, delay: int) -> Theorem:
     high: Any = least(delay, other[1]).conclusion.right / limit  # type: ignore[attr-defined]
     share = rounded(float(low + high) / 2)
     under, _ = some.body.at({RATE: share}).of
-    gap = number(Relation(S.Zero, "<", share * wall[0] - most.conclusion.right))  # type: ignore[attr-defined]
-    first = beside(under, held, wall, lambda wanted: positive(wanted, [most], [gap]))
+    first = beside(under, held, wall, from_bound(most))
     here = {d: S(delay), RATE: share, MOST: limit, gamma: other[0], delta: other[1]}
     second = inst(above_the_rate(), here)
     rest = [fact(p) for p in second.hypotheses if isinstance(p, (Relation, Predicate))]

@@ -9,11 +9,11 @@ from __future__ import annotations
 import hashlib
 import itertools
 import json
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from copy import copy
 from fractions import Fraction
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -42,7 +42,8 @@ CERTIFICATES: dict[str, str | None] = {}
 """What was found before, by the hash of a claim and facts: a share and the numbers of the facts of
 each product; None where no sum was found."""
 USED: dict[str, str | None] = {}
-"""Those of them that were asked for in this process."""
+"""Those of them that a proof used in this process, and None of searches after which none was found.
+"""
 
 
 def load_certificates(file: Path) -> None:
@@ -61,10 +62,11 @@ written = cache(str)
 """How a proposition is written."""
 
 
-def nlinarith(claim: Any, *known: Any, degree: int = 2) -> Theorem:
+def nlinarith(claim: Any, *known: Any, degree: int = 2, search: bool = True) -> Theorem:
     """Show a relation as a sum of products of up to ``degree`` of the known ones.
 
     An equation may come with a multiplier, as a pair; it is used with any rational factor.
+    Without ``search`` only a certificate that was found before counts.
 
     >>> x, y = sp.symbols("x y")
     >>> nlinarith(y * x > x, x > 0, y > 1).conclusion == proposition(y * x > x)
@@ -79,17 +81,22 @@ def nlinarith(claim: Any, *known: Any, degree: int = 2) -> Theorem:
     key = hashlib.sha256("\n".join(text).encode()).hexdigest()[:16]
     some = list(facts.values())
     if key in CERTIFICATES:
-        USED[key] = CERTIFICATES[key]
+        if search or CERTIFICATES[key] is not None:
+            USED[key] = CERTIFICATES[key]
         try:
             return combined(claim, *_products(CERTIFICATES[key], some))
         except (NotShown, ValueError, LookupError, TypeError, AttributeError, ZeroDivisionError):
             if CERTIFICATES[key] is None:
                 raise
+    if not search:
+        raise NotShown(f"{claim} has no certificate")
     CERTIFICATES[key] = USED[key] = None
-    found = _search(claim, some, degree)
-    theorem = combined(claim, *_products(found, some))
-    CERTIFICATES[key] = USED[key] = found
-    return theorem
+    for found in _search(claim, some, degree):
+        with suppress(NotShown):
+            theorem = combined(claim, *_products(found, some))
+            CERTIFICATES[key] = USED[key] = found
+            return theorem
+    raise NotShown(f"{claim} is no sum of products of what is known")
 
 
 def _theorem(fact: Any) -> Theorem:
@@ -112,8 +119,8 @@ MOST = 1500
 """Products among which a linear program may choose, within seconds."""
 
 
-def _search(claim: Relation, facts: Sequence[tuple[Theorem, Expr]], degree: int) -> str:
-    """A certificate, by a linear program."""
+def _search(claim: Relation, facts: Sequence[tuple[Theorem, Expr]], degree: int) -> Iterator[str]:
+    """Certificates, by linear programs: few products, then those of the least shares."""
     from scipy.optimize import linprog
 
     signs = [i for i, (t, _) in enumerate(facts) if relation(t).sign in ("<", "<=")]
@@ -137,26 +144,28 @@ def _search(claim: Relation, facts: Sequence[tuple[Theorem, Expr]], degree: int)
     scale = np.abs(np.vstack([rows / sizes[:, None], goal])).max(axis=0) + 1e-9
     table = (rows / sizes[:, None] / scale).T
     strict = [all(relation(facts[i][0]).sign == "<" for i in p) for p in places]
-    low = 1e-3 * np.abs(goal).mean()
-    extra = (-np.array([strict], dtype=float), [-low]) if claim.sign == "<" else (None, None)
-    cost = [1 + len(p) for p in places]  # few and short products
-    answer = linprog(cost, *extra, table, goal / scale)
-    if answer.status != 0:
-        raise NotShown(f"{claim} is no sum of products of what is known")
-    used = np.flatnonzero(answer.x > 1e-9)
-    shares = np.linalg.lstsq(table[:, used], goal / scale, rcond=None)[0]
-    shares = (shares if (shares > 0).all() else answer.x[used]) / sizes[used]
-    return " + ".join(
-        " ".join(map(str, (-s if i < 2 * len(equal) and i % 2 else s, *places[i])))
-        for i, s in zip(used, map(_rational, shares), strict=True)
+    extra = (
+        (-np.array([strict], dtype=float) / sizes, [-1e-4]) if claim.sign == "<" else (None, None)
     )
+    few = np.array([1 + len(p) for p in places])
+    for cost in (few, few / sizes, few * sizes):
+        answer = linprog(cost, *extra, table, goal / scale)
+        if answer.status != 0:
+            return
+        used = np.flatnonzero(answer.x > 1e-9)
+        shares = np.linalg.lstsq(table[:, used], goal / scale, rcond=None)[0]
+        shares = (shares if (shares > 0).all() else answer.x[used]) / sizes[used]
+        yield " + ".join(
+            " ".join(map(str, (-s if i < 2 * len(equal) and i % 2 else s, *places[i])))
+            for i, s in zip(used, map(_rational, shares), strict=True)
+        )
 
 
 def _rational(value: float) -> Fraction:
     """The simplest fraction nearby."""
-    for limit in (12, 720, 10_000):
+    for limit, near in ((12, 1e-7), (720, 1e-7), (10_000, 1e-8), (10_000_000, 1e-11)):
         found = Fraction(value).limit_denominator(limit)
-        if abs(found - value) < 1e-7 * max(1, abs(value)):
+        if abs(found - value) < near * max(1, abs(value)):
             break
     return found
 
@@ -196,12 +205,13 @@ class Given:
         self._failed: set[Proposition] = set()
         self._equations: list[Theorem] = []
         self._bare: list[tuple[list[Theorem], Given]] | None = None
-        self._degree, self._closes = 2, bool(assumed)
+        self._degree, self._closes, self._searches = 2, bool(assumed), False
         for claim in assumed:
             self._know(_theorem(claim))
 
     def _know(self, theorem: Theorem, multiplier: Any = S.One) -> Theorem:
-        theorem = self._closed(theorem) if self._closes else theorem
+        assumed = theorem.hypotheses == {theorem.conclusion}
+        theorem = self._all_closed(theorem) if self._closes and not assumed else theorem
         self.allowed |= theorem.hypotheses
         self.known[theorem.conclusion] = theorem
         sign = not_negative(theorem) if _whole(theorem.conclusion) else theorem
@@ -230,8 +240,8 @@ class Given:
     def show(self, claim: Any, *also: Any, degree: int = 2) -> Theorem:
         """Show a claim from what is known here, and also."""
         there = self.and_(*also)
-        there._degree = degree
-        found = there._find(proposition(claim))
+        there._degree, goal = degree, proposition(claim)
+        found = there._find(goal) or there._searched(partial(there._find, goal))
         if found is None:
             raise NotShown(f"{claim} is not shown by what is known")
         return found
@@ -240,7 +250,7 @@ class Given:
         """Return a theorem without the hypotheses that can be shown; those assumed here stay."""
         there = self.and_(*also)
         there._degree = degree
-        return there._closed(theorem)
+        return there._all_closed(theorem)
 
     def defined(self, expr: Expr, *also: Any) -> list[Theorem]:
         """Show that no divisor of an expression vanishes."""
@@ -258,6 +268,27 @@ class Given:
             return cache(lambda at=symbol: made() if at == symbol else inst(made(), {symbol: at}))
 
         return lemma
+
+    def _searched(self, find: Callable[[], Theorem | None]) -> Theorem | None:
+        """The same, with searches for certificates; those that fail count where all do."""
+        before = set(USED)
+        self._failed.clear()
+        self._bare, self._searches = None, True
+        found = find()
+        self._failed.clear()
+        self._bare, self._searches = None, False
+        if found is not None:
+            for key in [k for k, shares in USED.items() if shares is None and k not in before]:
+                del USED[key]
+        return found
+
+    def _all_closed(self, theorem: Theorem) -> Theorem:
+        """Without the hypotheses that can be shown, by what was found before or by a search."""
+        theorem = self._closed(theorem)
+        for claim in sorted(theorem.hypotheses - self.allowed, key=written):
+            found = self._searched(partial(self._find, claim))
+            theorem = theorem if found is None else prove_hyp(theorem, found)
+        return theorem
 
     def _closed(self, theorem: Theorem) -> Theorem:
         left = sorted(theorem.hypotheses - self.allowed, key=written)
@@ -371,7 +402,8 @@ class Given:
             return None
         round_ = any(term.has(sp.pi) for term in claim.terms)
         size = [number(Relation(S.Zero, "<", sp.pi))] if round_ else []
-        return nlinarith(claim, *self._signs, *size, degree=self._degree)
+        known = (*self._signs, *size)
+        return nlinarith(claim, *known, degree=self._degree, search=self._searches)
 
     def _quotient(self, claim: Relation) -> Theorem | None:
         """That of a quotient, from those of both its parts; of a sum, by its factors."""

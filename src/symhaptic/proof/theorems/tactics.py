@@ -22,7 +22,7 @@ from symhaptic.notation.proposition import (
     negated,
     proposition,
 )
-from symhaptic.proof.theorems.familiar import divided, sign_of
+from symhaptic.proof.theorems.familiar import decided, divided, ordered, sign_of
 from symhaptic.proof.theorems.judge import Case, taken_apart
 from symhaptic.proof.theorems.kernel import (
     NotShown,
@@ -38,6 +38,7 @@ from symhaptic.proof.theorems.kernel import (
     mp,
     not_intro,
     prove_hyp,
+    relation,
     spec,
 )
 from symhaptic.proof.theorems.leaves import (
@@ -82,12 +83,15 @@ def every(symbols: Sequence[Symbol], given: Sequence[Any], then: Any) -> Proposi
 
 
 def positive(claim: Any, *products: Any) -> Theorem:
-    """A relation from products, each a theorem, an assumed relation or a sequence of these."""
+    """A relation from products, each a theorem, an assumed relation or a sequence of these.
+
+    A factor that is an expression is the multiplier of an equation.
+    """
 
     def known(part: Any) -> Any:
         if isinstance(part, (list, tuple)):
             return [known(p) for p in part]
-        if isinstance(part, (Theorem, int, sp.Rational)):
+        if isinstance(part, (Theorem, int, sp.Expr)):
             return part
         return assume(part)
 
@@ -213,3 +217,27 @@ def zero_beyond(polynomial: Any, variable: Symbol, value: Theorem) -> Theorem:
     (claim,) = start.conclusion.parts
     above = combined(Relation(sp.S.Zero, "<", at_one), [conjunct(start, claim)])
     return not_intro(above, value, zeros)
+
+
+def by_contradiction(wanted: Any, one: Theorem, other: Theorem) -> Theorem:
+    """A relation, from two theorems of which one denies the other where the relation fails."""
+    claim = proposition(wanted)
+    assert isinstance(claim, Relation)
+    left, right, holds = claim.left, claim.right, assume(claim)
+    fails = contr(not_intro(one, other), claim)
+    if claim.sign in ("=", "!="):
+        cases = (holds, fails) if claim.sign == "=" else (fails, holds)
+        return disj_cases(decided(left, right), *cases)
+    if claim.sign == "<":
+        return disj_cases(ordered(left, right), holds, fails)
+    return disj_cases(ordered(right, left), fails, holds)
+
+
+def by_multiple(claim: Any, weight: Theorem, *products: Any) -> Theorem:
+    """A relation, from products whose sum is 0 < ``weight`` times it."""
+    wanted, scale = proposition(claim), relation(weight)
+    assert isinstance(wanted, Relation)
+    of, share = wanted.right - wanted.left, scale.right - scale.left
+    above = positive(Relation(sp.S.Zero, wanted.sign, share * of), *products)
+    found = divided(Relation(sp.S.Zero, wanted.sign, of), above, weight)
+    return closed(combined(wanted, [found]), combined(Relation(share, "!=", sp.S.Zero), [weight]))
