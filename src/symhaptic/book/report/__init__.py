@@ -1,0 +1,1 @@
+"""The report: pages as trees (one walk), a writer each for print and for the site, and the files."""
