@@ -1,1 +1,1 @@
-"""The report: pages as trees (one walk), a writer each for print and for the site, and the files."""
+"""The report: one walk over a page, a writer for print and one for the site, and their files."""

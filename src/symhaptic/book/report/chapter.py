@@ -271,8 +271,7 @@ def _printed(item: Settled, place: Place) -> nodes.container:
     out = [*only("site", head), *in_words(statement), *claimed(verdict)]
     if verdict.condition:
         out.append(paragraph("Right for ", condition(verdict), "."))
-    if verdict.corrected is not None:
-        out += [paragraph("Right is:"), display(verdict.corrected.split(r",\quad "))]
+    out += corrected(verdict, "Right is:")
     notes: list[nodes.paragraph] = []
     if id in CONSEQUENCES:
         notes.append(paragraph(emphasis("For a device:"), " ", words(CONSEQUENCES[id])))
@@ -345,8 +344,36 @@ def in_words(statement: Statement) -> list[Node]:
 def condition(verdict: Verdict) -> list[Node]:
     """A condition as running text, which can be broken between its parts."""
     parts = parted(verdict.condition or "", r"\\ \\text\{and\}\\ ")
-    each = [listed(map(math, parted(part, r",\\ "))) for part in parts]
+    each = [listed(map(math, parted(part, r",\\ ", "{}()"))) for part in parts]
     return tree.flat(listed(each, " and "))
+
+
+def corrected(verdict: Verdict, lead: str) -> list[Node]:
+    """What is right where the print is wrong: a formula, or words."""
+    if verdict.corrected is None:
+        return []
+    if r"\text" in verdict.corrected:
+        return [paragraph(emphasis(lead), " ", words(formula_in_words(verdict.corrected)))]
+    return [paragraph(emphasis(lead)), display(verdict.corrected.split(r",\quad "))]
+
+
+def formula_in_words(tex: str) -> str:
+    r"""A formula with words in it as prose, which may break between them.
+
+    >>> formula_in_words(r"\text{at}\ x=1,\ \text{and}\ y")
+    'at $x=1$, and $y$'
+    """
+    parts = re.split(r"\\text\{([^{}]*)\}", tex.replace(r",\quad ", r",\ "))
+    found = [part if at % 2 else _formulas(part) for at, part in enumerate(parts)]
+    return " ".join("".join(found).split()).replace(" ,", ",")
+
+
+def _formulas(tex: str) -> str:
+    """Formulas between words, each between dollar signs, with the commas outside."""
+    parts = re.split(r"(,?\\ )", tex)
+    return "".join(
+        p.replace("\\ ", " ") if at % 2 else f"${p}$" if p else "" for at, p in enumerate(parts)
+    )
 
 
 def shown_by(verdict: Verdict) -> list[Part]:

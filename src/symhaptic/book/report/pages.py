@@ -25,6 +25,8 @@ from symhaptic.book.report.chapter import (
     WRONG,
     claimed,
     condition,
+    corrected,
+    formula_in_words,
     in_words,
     reference,
     referred,
@@ -173,9 +175,10 @@ def errata(entries: Sequence[Entry], places: Places) -> nodes.section:
     ]
     return _page(
         "errata",
-        "What is wrong in the paper, or right only under a condition",
+        "Errata",
         paragraph(
-            "Each entry gives the paper's own words or formula, our reading of it, and the "
+            "What is wrong in the paper, or right only under a condition. Each entry gives the "
+            "paper's own words or formula, our reading of it, and the "
             "verdict: what is right, what shows it, and what that means for somebody who built a "
             f"device on it. The gravest entries come first. {_errors(entries)}."
         ),
@@ -205,30 +208,11 @@ def _in_short(entry: Entry) -> Part:
     verdict = entry.verdict
     if verdict.kind is Kind.QUALIFIED:
         return ["for ", condition(verdict)]
-    right = words(_in_words(verdict.corrected or ""))
+    right = words(formula_in_words(verdict.corrected or ""))
     if right and all(width(one.astext()) < WIDE for one in right if isinstance(one, nodes.math)):
         return right
     return (
         words(verdict.shows) if verdict.shows else led("erratum", entry.statement.id, "see below")
-    )
-
-
-def _in_words(tex: str) -> str:
-    r"""A formula with words in it as prose, which may break between them.
-
-    >>> _in_words(r"\text{at}\ x=1,\ \text{and}\ y")
-    'at $x=1$, and $y$'
-    """
-    parts = re.split(r"\\text\{([^{}]*)\}", tex.replace(r",\quad ", r",\ "))
-    found = [part if at % 2 else _formulas(part) for at, part in enumerate(parts)]
-    return " ".join("".join(found).split()).replace(" ,", ",")
-
-
-def _formulas(tex: str) -> str:
-    """Formulas between words, each between dollar signs, with the commas outside."""
-    parts = re.split(r"(,?\\ )", tex)
-    return "".join(
-        p.replace("\\ ", " ") if at % 2 else f"${p}$" if p else "" for at, p in enumerate(parts)
     )
 
 
@@ -238,10 +222,8 @@ def _erratum(entry: Entry, places: Places) -> nodes.container:
     out = [*in_words(statement), *claimed(verdict)]
     if verdict.condition:
         out.append(paragraph(emphasis("Right for"), " ", condition(verdict), "."))
-    if verdict.corrected is not None:
-        wrong = verdict.kind in (Kind.MISPRINT, Kind.SLIP)
-        out.append(paragraph(emphasis("Right:" if wrong else "What holds:")))
-        out.append(display(verdict.corrected.split(r",\quad ")))
+    wrong = verdict.kind in (Kind.MISPRINT, Kind.SLIP)
+    out += corrected(verdict, "Right:" if wrong else "What holds:")
     if found := shown_by(verdict):
         out.append(paragraph(emphasis("Shown by"), " ", listed(found, "; "), "."))
     if entry.consequence:
