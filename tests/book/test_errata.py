@@ -43,8 +43,9 @@ def test_each_has_what_a_reader_needs(entries, chapters):
     """In this order: the paper's words or formula, the claim, what is right and what shows it."""
     statements = {e.statement.id: e for e in entries}
     for item in listed(entries, chapters):
-        _, first, *_, last, verdict = item.children
+        _, location, first, *_, last, verdict = item.children
         statement = statements[item["at"]].statement
+        assert location.astext() == statements[item["at"]].statement.location
         assert first.astext().startswith("“") or isinstance(first, nodes.math_block)
         assert last.astext().startswith("For a device: ")
         assert verdict.astext().split()[0] in WRONG

@@ -358,22 +358,14 @@ def corrected(verdict: Verdict, lead: str) -> list[Node]:
 
 
 def formula_in_words(tex: str) -> str:
-    r"""A formula with words in it as prose, which may break between them.
+    r"""A formula with words in it as prose.
 
-    >>> formula_in_words(r"\text{at}\ x=1,\ \text{and}\ y")
+    >>> formula_in_words(r"\text{at}\ x=1,\quad \text{and}\ y")
     'at $x=1$, and $y$'
     """
-    parts = re.split(r"\\text\{([^{}]*)\}", tex.replace(r",\quad ", r",\ "))
-    found = [part if at % 2 else _formulas(part) for at, part in enumerate(parts)]
-    return " ".join("".join(found).split()).replace(" ,", ",")
-
-
-def _formulas(tex: str) -> str:
-    """Formulas between words, each between dollar signs, with the commas outside."""
-    parts = re.split(r"(,?\\ )", tex)
-    return "".join(
-        p.replace("\\ ", " ") if at % 2 else f"${p}$" if p else "" for at, p in enumerate(parts)
-    )
+    tex = tex.replace(r",\quad ", r",\ ")
+    found = re.sub(r"(,?)(?:\\ )*\\text\{([^{}]*)\}(?:\\ )*", r"$\1 \2 $", tex)
+    return " ".join(f"${found}$".replace("$$", "").split())
 
 
 def shown_by(verdict: Verdict) -> list[Part]:

@@ -6,7 +6,6 @@ The choice is made here; formulas, conditions and corrections come from statemen
 from __future__ import annotations
 
 import json
-import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
@@ -38,7 +37,6 @@ from symhaptic.book.report.tree import (
     container,
     display,
     emphasis,
-    flat,
     kind,
     led,
     listed,
@@ -58,7 +56,7 @@ from symhaptic.notation import SYMBOLS
 from symhaptic.notation.predicates import MEANINGS
 from symhaptic.notation.written import defined, written
 from symhaptic.proof.theorems.axioms import AXIOMS
-from symhaptic.proof.verdict import Kind
+from symhaptic.proof.verdict import UNSETTLED, Kind
 
 Places: TypeAlias = Mapping[str, tuple[int, str]]
 """Number and name of each chapter, by the file that it is derived in."""
@@ -243,7 +241,7 @@ def ledger(entries: Sequence[Entry], places: Places) -> nodes.section:
         id = entry.statement.id
         rows.append(
             [
-                referred(id) if name else reference(id),
+                referred(id) if entry.verdict != UNSETTLED else reference(id),
                 words(entry.statement.says),
                 kind(entry.verdict.kind),
                 entry.rocq.extent if foreign.asked() else "",
@@ -310,16 +308,16 @@ def believed(entries: Iterable[Entry]) -> nodes.section:
     ]
     for rule, source in classical().items():
         axiom = AXIOMS.get(rule)
-        told = [math(written(axiom.says))] if axiom else _plain(says(rule))
+        told = [math(written(axiom.says))] if axiom else plain(says(rule))
         blocks.append(rubric(called(rule), to="rule", at=rule))
-        rest = [". ", emphasis("Source:"), " ", _plain(source), f". Statements: {counts[rule]}."]
+        rest = [". ", emphasis("Source:"), " ", plain(source), f". Statements: {counts[rule]}."]
         blocks.append(paragraph(told, rest if axiom else [" ", *rest[1:]]))
     lists: dict[str, list[Node]] = {}
     for module, found in others().items():
         title = TITLES.get(module, "What the predicates mean of walls and devices")
         for name, text in found.items():
             shown = strong(name.replace("_", " "))
-            one = paragraph(shown, f" ({counts[name]}) ", _plain(text))
+            one = paragraph(shown, f" ({counts[name]}) ", plain(text))
             lists.setdefault(title, []).append(one)
     blocks += [section(title, *found) for title, found in lists.items()]
     meant = (paragraph(math(one), " — ", words(says), ".") for one, says in map(defined, MEANINGS))
@@ -330,37 +328,15 @@ def believed(entries: Iterable[Entry]) -> nodes.section:
 def symbols() -> list[tuple[nodes.math, str, list[Node]]]:
     """Every symbol of the notation with its unit and what it means."""
     return [
-        (math(one.latex), "" if one.unit == "1" else one.unit, with_formulas(one.meaning))
+        (math(one.latex), "" if one.unit == "1" else one.unit, plain(one.meaning))
         for one in SYMBOLS.values()
     ]
 
 
-_NAME = re.compile(r"[A-Za-z]\w*")
-_KNOWN = {name: one.latex for name, one in SYMBOLS.items()}
-_KNOWN |= {"pi": r"\pi", "tan": r"\tan", "sqrt": "sqrt"}
-
-
-def with_formulas(meaning: str) -> list[Node]:
-    r"""What a symbol means, with what is a formula between its commas as one.
-
-    >>> [node.astext() for node in with_formulas("virtual stiffness, sqrt(gamma)")]
-    ['virtual stiffness', ', ', '\\sqrt{\\gamma}']
-    """
-    return flat(listed(_in_symbols(part) or _plain(part) for part in meaning.split(", ")))
-
-
-def _in_symbols(text: str) -> Node | None:
-    """A formula, if nothing else is in it than symbols."""
-    if not (found := set(_NAME.findall(text))) or not found <= _KNOWN.keys():
-        return None
-    text = re.sub(r"sqrt\(([^()]*)\)", r"\\sqrt{\1}", text)
-    return math(_NAME.sub(lambda name: _KNOWN[name[0]], text))
-
-
-def _plain(text: str) -> list[Node]:
+def plain(text: str) -> list[Node]:
     r"""A docstring's plain words and signs.
 
-    >>> [node.astext() for node in _plain("p |- p <= 1")]
+    >>> [node.astext() for node in plain("p |- p <= 1")]
     ['p\\vdash p\\le1']
     """
     return words(in_formulas(text.replace("``", "")))

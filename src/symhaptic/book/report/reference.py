@@ -115,7 +115,7 @@ def _arguments(function: Any) -> list[nodes.table]:
         known = SYMBOLS.get(_SPELT.get(name, name))
         if known is not None and function.__module__.startswith("symhaptic.numeric"):
             shown = nodes.literal("", name), math(known.latex)
-            meaning = pages.with_formulas(known.meaning)
+            meaning = pages.plain(known.meaning)
             rows.append([*shown, known.unit, known.domain, meaning])
     return [table("arguments", rows)] if rows[1:] else []
 
