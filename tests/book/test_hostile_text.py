@@ -61,6 +61,8 @@ LINES = [
     r"$x`$ and $x\end{aligned}$ and $5 for one, 6 % for another # & more ~~ {",
     r"\texttt{a``b} and \texttt{:raw:`x`} and \emph{never closed",
     r"\chapter{nowhere}",
+    r"a backslash \- before \. signs \` that \\ typographers know",
+    "- a list\n- of two\n\n.. raw:: html\n\n   <b>bold</b>",
 ]
 
 

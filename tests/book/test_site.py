@@ -5,7 +5,9 @@ import io
 import re
 import shutil
 from collections import defaultdict
+from dataclasses import replace
 from html.parser import HTMLParser
+from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
@@ -17,7 +19,7 @@ from symhaptic.book.chapters import shipped
 from symhaptic.book.parts import in_parts
 from symhaptic.book.report.extension import turned
 from symhaptic.book.report.place import ReportError
-from symhaptic.book.report.site import single, write
+from symhaptic.book.report.site import single, trees, write
 from symhaptic.book.report.tree import words
 
 ALL = in_parts([path.stem for path in shipped()], str)
@@ -151,6 +153,15 @@ def test_no_tex_is_left_in_the_words(some):
 )
 def test_words(text, made):
     assert [str(node) for node in words(text)] == made
+
+
+@pytest.mark.parametrize("name", ["explorer", "errata", "sweep"])
+def test_no_page_of_the_site_takes_the_place_of_a_chapter(name):
+    """One that is named like a public name has its own page, too."""
+    one, jury = (replace(chapter(SOME[0]), path=Path(f"{n}.py")) for n in (name, "jury"))
+    with pytest.raises(ReportError, match=f"{name}: the site has a page of this name"):
+        trees([(1, one)], whole=True)
+    assert trees([(1, jury)], whole=True)["jury"]["number"] == 1
 
 
 def test_a_formula_that_pandoc_cannot_read_is_told():
@@ -315,7 +326,7 @@ def test_the_ledger_is_filtered_and_sorted(whole, opened):
 def test_every_public_name_has_a_place_with_what_its_arguments_are():
     from symhaptic.book.report.reference import PUBLIC, beside, page
 
-    text = page(PUBLIC)
+    text = page([])
     for name in PUBLIC:
         assert re.search(rf"^\.\. auto(function|class):: {name}$", text, re.MULTILINE), name
     shown = beside("max_passive_stiffness")

@@ -17,6 +17,7 @@ from symhaptic.notation import SYMBOLS
 from symhaptic.paper import STATEMENTS as PRINTED
 
 PUBLIC = tuple(symhaptic.__all__)
+PREFIX = "reference:"
 
 GROUPS = {
     "A device in SI units": ("Scene",),
@@ -77,7 +78,8 @@ def page(known: Collection[str]) -> str:
         out += _heading(title, "-") if names else []
         for name in names:
             if name in PUBLIC:
-                out += [*_entry(name), *([f".. tree:: {name}", ""] if name in known else [])]
+                out += _entry(name)
+                out += [f".. tree:: {PREFIX}{name}", ""] if PREFIX + name in known else []
     return "\n".join(out) + "\n"
 
 
@@ -92,6 +94,11 @@ def _entry(name: str) -> list[str]:
     ours = thing.__base__.__module__.startswith("symhaptic")
     inherited = ["   :inherited-members: object"] if ours else []
     return [f".. autoclass:: {name}", "   :members:", *inherited, ""]
+
+
+def trees() -> dict[str, nodes.container]:
+    """What stands below each docstring, by names that no chapter can have."""
+    return {PREFIX + name: found for name in PUBLIC if (found := beside(name))}
 
 
 def beside(name: str) -> nodes.container | None:

@@ -35,6 +35,13 @@ from symhaptic.book.rests import between, shown_in
 STATIC = Path(__file__).parent / "static"
 TITLE = "Haptic walls, verified"
 
+OWN_PAGES = {
+    *("believed", "errata", "explorer", "gallery", "ledger", "reference", "results"),
+    *guides.ORDER,
+    *guides.BESIDE,
+}
+"""Pages that are no chapters."""
+
 EXTRA = "extra"
 """Where the sources have what Sphinx takes over as it is."""
 
@@ -91,6 +98,9 @@ def trees(numbered: Sequence[Numbered], whole: bool) -> dict[str, nodes.section]
         {place: frozenset(numbers) for place, numbers in mentioned.items()},
         frozenset(reference.PUBLIC if whole else ()),
     )
+    for name in names.values():
+        if name in OWN_PAGES:
+            raise ReportError(f"{name}: the site has a page of this name; rename the chapter")
     found = {one.name: page(one, shared.of(number)) for number, one in numbered}
     entries = listed(entry for _, chapter in numbered for entry in of_chapter(chapter))
     if whole:
@@ -98,7 +108,7 @@ def trees(numbered: Sequence[Numbered], whole: bool) -> dict[str, nodes.section]
         found["results"] = pages.results(entries, places)
         found["errata"] = pages.errata(entries, places)
         found["ledger"] = pages.ledger(entries, places)
-        found |= {name: beside for name in reference.PUBLIC if (beside := reference.beside(name))}
+        found |= reference.trees()
         if gallery.programs():
             found["gallery"] = gallery.page()
     found["believed"] = pages.believed(entries)
@@ -126,7 +136,7 @@ def _texts(numbered: Sequence[Numbered], known: Mapping[str, nodes.section]) -> 
     found = {
         name: f"{':hide-toc:' * ('number' in tree or name == 'explorer')}\n\n.. tree:: {name}\n"
         for name, tree in known.items()
-        if name not in reference.PUBLIC
+        if not name.startswith(reference.PREFIX)
     }
     if whole:
         found |= {name: _with_notebook(name, text) for name, text in guides.guides().items()}
