@@ -70,14 +70,15 @@ def test_the_site_says_it_too_with_the_reason(recorded):
     assert "Rocq: in part (2 steps open" in text
     entries = ledger.of_chapter(chapter(NAME))
     page = pages.ledger(entries, {}).astext()
-    assert "leaves in all chapters it has checked 3 of 4 identities and all 2 limits." in page
-    assert "Rocq 8.16.1, a second judge" in page
+    assert "steps in all chapters it has checked 3 of 4 identities and all 2 limits." in page
+    assert "Rocq 8.16.1, an independent proof assistant" in page
     assert "1 whole, 1 with steps open, 0 not" in page
 
 
 def test_the_printed_ledger_lists_why_others_are_not_whole(recorded):
     text = text_files([chapter(NAME)])["ledger.tex"]
-    assert "Rocq 8.16.1, a second judge, has checked of them 1 whole, 1 with steps open" in text
+    assert "Rocq 8.16.1, an independent proof assistant" in text
+    assert "has checked these statements: 1 whole, 1 with steps open" in text
     assert r"\heading{Why Rocq has not checked the others whole}" in text
     assert r"coqc: x\_1 \& \{y\}\^{}2 \textasciitilde{} \textbackslash{}z" in text
 

@@ -244,18 +244,18 @@ def _claim(node: Element, verdict: Element) -> list[str]:
     """A theorem, what it is, and beside it what it rests on."""
     kind, number, method = verdict["verdict"], verdict["number"], _method(verdict)
     shown = sum(width(formula.astext()) for formula in node.findall(nodes.math))
-    said = inline(node) if shown <= LONG_CLAIM else f"\\onsite{{{_site(node, number)}}}"
+    said = inline(node) if shown <= LONG_CLAIM else f"\\onsite{{{_site(node, 'theorem', number)}}}"
     place = f"\\theoremplace{{{number}}}\\theoremrow{{{number}}}"
     box = "boxedclaim" if "boxed" in node["classes"] else "claim"
     return [f"\\{box}{{{said}}}{{{place}}}{{{kind}}}{{{method}}}"]
 
 
-def _site(node: Element, number: str) -> str:
-    """Where the site has a theorem."""
+def _site(node: Element, to: str, at: str) -> str:
+    """Where the site has the formula that print leaves out."""
     above = node
-    while not (isinstance(above, nodes.section) and "number" in above):
+    while "code" not in above:
         above = above.parent
-    return f"{above['at']}.html\\#{nodes.make_id(label('theorem', number))}"
+    return f"{above['at']}.html\\#{nodes.make_id(label(to, at))}"
 
 
 def letters(ground: str) -> int:
@@ -285,6 +285,8 @@ def _statement(node: nodes.container) -> list[str]:
     place = f"\\statement{to}{{{place_of('statement', id)}}}" + (
         place if to == "place" else f"{{{place}}}"
     )
+    if any(_is(one, "claim") for one in body):
+        place += f"\\\\\\claimed{{{_site(node, node['to'], id)}}}"
     lines = [_within(one) for one in body if one.get("only") != "site"]
     beside = [one for one in verdict.children if one.get("only") != "site"]
     grounds = [_beside(one) for one in beside if "ground" in one["classes"]]

@@ -175,10 +175,10 @@ def errata(entries: Sequence[Entry], places: Places) -> nodes.section:
         "errata",
         "Errata",
         paragraph(
-            "What is wrong in the paper, or right only under a condition. Each entry gives the "
-            "paper's own words or formula, our reading of it, and the "
-            "verdict: what is right, what shows it, and what that means for somebody who built a "
-            f"device on it. The gravest entries come first. {_errors(entries)}."
+            "This page lists what is wrong in the paper, or right only under a condition. Each "
+            "entry gives the paper's own words or formula, our reading of it, what is right, what "
+            "shows it, and what it means for a device. The most serious entries come first. "
+            f"{_errors(entries)}."
         ),
         paragraph(AT_HAND),
         table("ledger", [head, *rows], columns=_columns(25, 46, 18, 46, 17)),
@@ -249,8 +249,8 @@ def ledger(entries: Sequence[Entry], places: Places) -> nodes.section:
                 led("chapter", name, str(number)) if name else "",
             ]
         )
-    told = f"{counted(entries)}. A statement that no chapter settles yet is undecided, "
-    out: list[Node] = [paragraph(told + "which is not a pass."), *_checked(entries)]
+    told = f"{counted(entries)}. An undecided statement is one that no chapter has settled yet."
+    out: list[Node] = [paragraph(told), *_checked(entries)]
     columns = _columns(29, 51, 19, 12, 19, 17)
     out.append(table("ledger", [head, *rows], columns=columns))
     return _page("ledger", "Every statement and its verdict", *out, *_unchecked(entries))
@@ -261,12 +261,12 @@ def _checked(entries: Sequence[Entry]) -> list[Node]:
     if not foreign.asked():
         return []
     told = (
-        f"{foreign.asked()}, a second judge, has checked of them "
-        f"{foreign.counted(entry.rocq for entry in entries)}. What is whole rests on classical "
-        "rules alone, and beside its verdict stands on which; leaves have steps open."
+        f"{foreign.asked()}, an independent proof assistant, has checked these statements: "
+        f"{foreign.counted(entry.rocq for entry in entries)}. A statement that is checked whole "
+        "rests on classical rules alone, which its chapter names."
     )
     if foreign.leaves():
-        told += f" Of the deciders' leaves in all chapters it has checked {foreign.leaves()}."
+        told += f" Of the basic steps in all chapters it has checked {foreign.leaves()}."
     return [paragraph(told)]
 
 
@@ -299,11 +299,10 @@ def believed(entries: Iterable[Entry]) -> nodes.section:
     counts = used(entry.verdict.rests for entry in entries)
     blocks: list[Node] = [
         paragraph(
-            "A theorem is made by rules only, and keeps the rule and what it was given. Whoever "
-            "believes what stands on these pages, and that the statements are transcribed as they "
-            "are printed beside their words, believes the verdicts; chapters, captions and prose "
-            "carry no weight. Classical theorems are applied, not proved; each has its source, "
-            "and the number of statements that rest on it."
+            "Only rules make theorems. A verdict is right if these rules are right and if the "
+            "statements are transcribed as printed. Chapters, captions and prose carry no weight. "
+            "Classical theorems are applied and not proved: each is given with its source and "
+            "with the number of statements that rest on it."
         )
     ]
     for rule, source in classical().items():
@@ -424,19 +423,19 @@ def mutants(path: Path) -> nodes.section | None:
         "mutants",
         "What a wrong formula meets",
         paragraph(
-            "A wrong formula must have no proof. To test this, every statement of this book and "
-            "every number of its tables was changed in one place and given to the same theorems: "
-            f"{total.total()} changes were refused. The others are listed below, each with the "
-            "reason why it is no error."
+            "A wrong formula must have no proof. As a test, every statement of this book and "
+            "every number of its tables was changed in one place and given to the same theorems. "
+            f"{total.total()} changes were refused. The others are listed below, with the reasons "
+            "why they are no errors."
         ),
         table("kinds", kinds, columns="lrl"),
         table("numbers", refused, columns=_columns(46) + "r" * len(KINDS)),
         section(
             "Changes that survive",
             paragraph(
-                f"{surviving} changes were not refused, each for a reason that is no error of the "
-                "checker: the changed statement is true as well, or weaker, or says the same in "
-                "other words, or no counterexample to it was found."
+                f"{surviving} changes were not refused. In none of these cases is the checker "
+                "wrong: the changed statement is true, too, or it is weaker, or it says the same "
+                "in other words, or no counterexample was found."
             ),
             table("survivors", stand, columns=_columns(44, 70, 42)),
         ),
