@@ -9,10 +9,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
+from docutils import nodes
+
 from symhaptic.book.chapters import Chapter
 from symhaptic.book.consequences import CONSEQUENCES
-from symhaptic.book.parts import referred
-from symhaptic.book.report.tree import label
+from symhaptic.book.report.tree import label, words
 
 Span = tuple[int, int, str]
 """Where a mention begins and ends, and the label of what it mentions."""
@@ -82,5 +83,4 @@ def mentioned(chapter: Chapter, known: Mapping[str, str]) -> set[str]:
 
 def _prose(text: str) -> str:
     """What is no formula, as it is read."""
-    text = referred(text, lambda number: f"chapter {number}")
-    return " ".join(text.split("$")[::2]).replace("~", " ").replace(r"\,", " ")
+    return "".join(n.astext() if not isinstance(n, nodes.math) else " " for n in words(text))
