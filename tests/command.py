@@ -13,7 +13,7 @@ from multiprocessing import get_context
 from multiprocessing.reduction import DupFd
 
 _FORKED = get_context("forkserver")
-_OURS = ("book.figures", "book.listing", "book.parallel", "book.parts", "book.tex.build",
+_OURS = ("book.figures", "book.listing", "book.parallel", "book.parts", "book.report.printed",
          "bounds.walls", "check.callers", "check.checked", "check.compare", "check.formulas",
          "check.report", "cli.main", "numeric.tracing.output", "scene.device_file",
          "scene.scene")  # fmt: skip

@@ -8,7 +8,7 @@ from scipy.signal import cont2discrete
 
 from symhaptic.book.chapters import BadChapter, Chapter, folder, run
 from symhaptic.book.page import Page
-from symhaptic.book.tex.page import chapter_tex
+from symhaptic.book.report.printed import chapter_tex
 from symhaptic.model import jury
 
 

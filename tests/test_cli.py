@@ -327,9 +327,9 @@ ONE_CHAPTER = """
 import sys
 from pathlib import Path
 from symhaptic.book.chapters import run, shipped
-from symhaptic.book.tex import build
+from symhaptic.book.report import printed
 
-build.write([run(shipped()[0])], Path(sys.argv[1]), pdf=True, say=print)
+printed.write([run(shipped()[0])], Path(sys.argv[1]), pdf=True, say=print)
 """
 
 

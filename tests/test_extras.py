@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from symhaptic import ArmRange, Scene, lambdify, sweep
-from symhaptic.book.tex.tex import ReportError
+from symhaptic.book.report.place import ReportError
 from symhaptic.notation.extras import missing, needed
 from symhaptic.sweeps import charts
 
@@ -98,7 +98,7 @@ def test_the_picture_of_safe_walls_does_so_too(hidden):
 
 @pytest.mark.parametrize("name", ["sphinx", "furo", "jinja2", "nbformat", "matplotlib", "pypandoc"])
 def test_the_site_says_what_to_install(name, hidden, tmp_path):
-    from symhaptic.book.site.place import allowed
+    from symhaptic.book.report.place import allowed
 
     hidden(name)
     with pytest.raises(ReportError, match=r"pip install 'symhaptic\[report\]'$"):

@@ -13,7 +13,7 @@ import sympy as sp
 from scipy.linalg import expm
 
 from symhaptic.book.chapters import BadChapter, folder, run
-from symhaptic.book.tex.breaking import pieces
+from symhaptic.book.report.breaking import pieces
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import FULL
 from symhaptic.numeric.passivity import passivity_margin

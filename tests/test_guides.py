@@ -64,6 +64,6 @@ def test_a_guide_can_be_typed(guide, tmp_path):
 
 
 def test_every_guide_is_a_page():
-    from symhaptic.book.site.guides import ORDER
+    from symhaptic.book.report.guides import ORDER
 
     assert {path.stem for path in DOCS.glob("*.md")} == set(ORDER)

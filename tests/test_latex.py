@@ -5,10 +5,11 @@ import random
 import pytest
 from sympy import Add, E, Integer, Mul, Pow, Rational, Symbol, cos, exp, pi, sin, sqrt
 
-from symhaptic.book.site.chapter import statement_link
-from symhaptic.book.site.words import words
-from symhaptic.book.tex.forms import reference
-from symhaptic.book.tex.words import place_of, prose
+from symhaptic.book.report import latex as print_
+from symhaptic.book.report.chapter import reference, referred
+from symhaptic.book.report.latex import prose
+from symhaptic.book.report.latex import referenced as printed
+from symhaptic.book.report.tree import place_of, words
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, omega, psi, theta, z
 from symhaptic.notation.latex import euler, latex
 from symhaptic.paper.reading import Unreadable, read
@@ -115,14 +116,14 @@ def test_a_function_is_of_all_that_its_bracket_begins():
     ],
 )
 def test_any_id_can_be_printed_and_linked(id, shown, place):
-    assert (reference(id), place_of(id)) == (shown, place)
+    assert (printed(reference(id)), place_of("statement", id)) == (shown, place)
 
 
 def test_no_two_ids_have_one_place():
     # a label of the site has no capitals
     ids = ["my:a_b", "my:a-b", "my:a.b", "my:K", "my:k", "my:ä", "my:ö", "my:a__b", "my:a--b"]
     ids += ["my-a_b", "my-k"]
-    assert len({place_of(id).lower() for id in ids}) == len(ids)
+    assert len({place_of("statement", id).lower() for id in ids}) == len(ids)
 
 
 def test_a_note_has_words_beside_formulas():
@@ -133,7 +134,9 @@ def test_a_note_has_words_beside_formulas():
     assert prose(r"\emph{5 % {x}} -- \texttt{a_b-c} {") == (
         r"\emph{5 \% \{x\}} -{}- \texttt{a\_b-\allowbreak{}c} \{"
     )
-    assert statement_link("a<b") == ":ref:`aless thanb <statement-a.3c.b>`"
+    assert print_.inline(referred("a<b")) == (
+        r"\statementlink{a.3c.b}{\texttt{\scriptsize a<b}}"
+    )
 
 
 def some(dice, depth):
@@ -174,6 +177,5 @@ def test_eulers_number_is_not_the_determinant():
     assert latex(exp(theta) + e) == r"e+\mathrm{e}^{\theta}"
     assert latex(E) == r"\mathrm{e}"
     assert euler(r"A(e^{j\theta})+e") == r"A(\mathrm{e}^{j\theta})+e"
-    assert words(r"\emph{only $p(1)$ and $c_{n-1}$ count.}") == (
-        "only :math:`p(1)` and :math:`c_{n-1}` count."
-    )
+    [emphasis] = words(r"\emph{only $e^{-1}$ counts.}")
+    assert emphasis.astext() == r"only \mathrm{e}^{-1} counts."

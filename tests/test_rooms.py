@@ -16,7 +16,7 @@ ROOMS = (
 )
 """Each may import those before it."""
 
-ALL_NAMES = ("bench.functions", "book.site.reference")
+ALL_NAMES = ("bench.functions", "book.report.reference")
 """They go through the public names of the package."""
 
 LOOSE = {"__init__", "__main__", "version"}

@@ -3,7 +3,7 @@
 import pytest
 from sympy import Symbol, cos, sin, symbols
 
-from symhaptic.book.tex.breaking import broken, pieces, width
+from symhaptic.book.report.breaking import broken, pieces, width
 from symhaptic.notation import B, K, T, d, theta
 from symhaptic.notation.latex import latex
 

@@ -1,15 +1,17 @@
 """The errata list whatever the ledger calls wrong or conditional, and nothing else."""
 
+import re
 from dataclasses import replace
 
 import pytest
 from chapters import chapter
+from docutils import nodes
 
 from symhaptic.book.chapters import shipped
 from symhaptic.book.consequences import CONSEQUENCES, IMPORTANCE
 from symhaptic.book.ledger import ledger, of_chapter
+from symhaptic.book.report.pages import OTHERS, by_importance, errata
 from symhaptic.book.sources import PAPER
-from symhaptic.book.tex.errata import OTHERS, by_importance, errata
 from symhaptic.proof.verdict import Kind
 
 pytestmark = pytest.mark.ci
@@ -24,11 +26,12 @@ def entries():
 
 @pytest.fixture(scope="module")
 def chapters(entries):
-    return {e.derivation: i for i, e in enumerate(entries, 1) if e.derivation}
+    return {e.derivation: (i, "x") for i, e in enumerate(entries, 1) if e.derivation}
 
 
 def listed(entries, chapters):
-    return [item for _, items in errata(entries, chapters) for item in items]
+    found = errata(entries, chapters).findall(nodes.container)
+    return [one for one in found if one.get("to") == "erratum"]
 
 
 def test_each_error_is_listed_once(entries, chapters):
@@ -37,26 +40,30 @@ def test_each_error_is_listed_once(entries, chapters):
 
 
 def test_each_has_what_a_reader_needs(entries, chapters):
+    """In this order: the paper's words or formula, the claim, what is right and what shows it."""
+    statements = {e.statement.id: e for e in entries}
     for item in listed(entries, chapters):
-        rows = [row.split("}")[0] for row in item.split("\\erratumrow{")[1:]]
-        assert rows[0] == "the paper" or (rows[0], "(17)" in item) == ("printed", True)
-        assert rows[-1] == "for a device"
-        assert "shown by" in rows
-        order = [row for row in rows if row in ("the paper", "read as", "proposition", "verdict")]
-        assert [row for row in ORDER if row in order] == order
-        assert {"read as", "verdict"} < set(order)
-        assert {"right", "right for", "what holds"} & set(rows), item
+        _, location, first, *_, last, verdict = item.children
+        statement = statements[item["at"]].statement
+        assert location.astext() == statements[item["at"]].statement.location
+        assert first.astext().startswith("“") or isinstance(first, nodes.math_block)
+        assert last.astext().startswith("For a device: ")
+        assert verdict.astext().split()[0] in WRONG
+        said = item.astext()
+        words = ("Claims ", "Right", "What holds:", "Shown by ")
+        order = re.findall("|".join(words), said)
+        assert order == sorted(order, key=words.index), said
+        assert "Shown by " in said
+        assert {"Right", "What holds:"} & set(order), said
+        shown = [one["rows"] for one in item.findall(nodes.math_block)]
+        assert not statement.latex or list(statement.latex) in shown
 
 
-ORDER = ("the paper", "read as", "proposition", "verdict")
-
-
-def test_a_paraphrase_is_called_printed_nowhere(entries, chapters):
-    """What is labelled so is a formula of the transcription."""
-    for item in listed(entries, chapters):
-        if "\\erratumrow{printed}" in item:
-            row = item.split("\\erratumrow{printed}{")[1].split("\\erratumrow{")[0]
-            assert "\\displaystyle" in row, item
+def test_a_claim_is_for_the_site_and_its_place_for_print(entries, chapters):
+    page = errata(entries, chapters)
+    claims = [one for one in page.findall(nodes.container) if "claim" in one["classes"]]
+    assert claims
+    assert {one.get("only") for one in claims} == {"site"}
 
 
 def test_the_gravest_stand_first_and_nothing_is_left_over(entries):
@@ -85,7 +92,7 @@ def test_what_turns_out_wrong_appears_and_what_is_right_disappears(entries, chap
     more[first] = said(more[first], Kind.REFUTED)
     assert len(listed(more, chapters)) == len(listed(entries, chapters)) + 1
     right = [said(e, Kind.PROVED) for e in entries]
-    assert errata(right, chapters) == []
+    assert listed(right, chapters) == []
 
 
 def test_a_consequence_for_each_error_of_the_paper_and_for_no_other(entries):

@@ -24,8 +24,8 @@ from symhaptic import (
     passivity_margin,
 )
 from symhaptic.book.chapters import shipped
-from symhaptic.book.site import explorer
-from symhaptic.book.site.build import write
+from symhaptic.book.report import explorer
+from symhaptic.book.report.site import write
 from symhaptic.notation.quantities import decimal, nearest
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness, stiffest_at
 from symhaptic.numeric.tracing.margin import delay_margin, max_delay

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from symhaptic.book.figures.programs import draw
-from symhaptic.book.site import gallery
-from symhaptic.book.tex.tex import ReportError
+from symhaptic.book.report import gallery
+from symhaptic.book.report.place import ReportError
 
 FOLDER = Path(__file__).parents[2] / "docs" / "gallery"
 

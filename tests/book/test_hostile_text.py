@@ -12,12 +12,12 @@ from sympy import Function, Symbol
 from symhaptic.book.chapters import run
 from symhaptic.book.page import Page
 from symhaptic.book.record import FalseStep
-from symhaptic.book.site.build import write
-from symhaptic.book.site.words import plain, words
+from symhaptic.book.report.latex import prose
+from symhaptic.book.report.place import has_tex
+from symhaptic.book.report.printed import write_excerpt
+from symhaptic.book.report.site import write
+from symhaptic.book.report.tree import flat, words
 from symhaptic.book.sources import SOURCES, STATEMENTS, add
-from symhaptic.book.tex.build import write_excerpt
-from symhaptic.book.tex.tex import has_tex
-from symhaptic.book.tex.words import prose
 from symhaptic.notation.latex import latex, refused
 from symhaptic.paper.statement import Source, Statement
 
@@ -61,6 +61,8 @@ LINES = [
     r"$x`$ and $x\end{aligned}$ and $5 for one, 6 % for another # & more ~~ {",
     r"\texttt{a``b} and \texttt{:raw:`x`} and \emph{never closed",
     r"\chapter{nowhere}",
+    r"a backslash \- before \. signs \` that \\ typographers know",
+    "- a list\n- of two\n\n.. raw:: html\n\n   <b>bold</b>",
 ]
 
 
@@ -187,10 +189,12 @@ def test_no_command_is_left_in_the_latex(line):
 
 @pytest.mark.parametrize("break_", ["\n\n", "\r\n\r\n", "\x0b", "\x0c", "\x85", "\u2028", "\x1c"])
 def test_a_text_is_one_line(break_):
-    for shown in (words, plain):
-        assert len(shown(f"a{break_}.. raw:: html{break_}   b").splitlines()) == 1
+    text = f"a{break_}.. raw:: html{break_}   b"
+    for shown in (words(text), flat([text])):
+        [one] = shown
+        assert len(one.astext().splitlines()) == 1
     assert "\n\n" not in prose("a\n \nb")
-    assert "\x00" not in words("a\x00*b*") + prose("a\x00*b*")
+    assert "\x00" not in words("a\x00*b*")[0].astext() + prose("a\x00*b*")
 
 
 @pytest.mark.parametrize(

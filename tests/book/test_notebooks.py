@@ -8,7 +8,7 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from symhaptic.book.site.notebooks import GUIDES, notebook, notebooks
+from symhaptic.book.report.notebooks import GUIDES, notebook, notebooks
 
 
 @pytest.fixture(scope="module")

@@ -1,22 +1,26 @@
 """The site in a browser: nothing missing, nothing asked of the network, to be read by everybody."""
 
+import inspect
 import io
 import re
 import shutil
 from collections import defaultdict
+from dataclasses import replace
 from html.parser import HTMLParser
+from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 from chapters import chapter
+from docutils import nodes
 
+import symhaptic
 from symhaptic.book.chapters import shipped
 from symhaptic.book.parts import in_parts
-from symhaptic.book.site.build import write
-from symhaptic.book.site.mathml import turned
-from symhaptic.book.site.single import single
-from symhaptic.book.site.words import words
-from symhaptic.book.tex.tex import ReportError
+from symhaptic.book.report.extension import turned
+from symhaptic.book.report.place import ReportError
+from symhaptic.book.report.site import single, trees, write
+from symhaptic.book.report.tree import words
 
 ALL = in_parts([path.stem for path in shipped()], str)
 SOME = ["s2a_device", "s3b_envelope", "s3b_rise", "s3c_stiffness_maximum", "s4a_discretisation"]
@@ -140,14 +144,24 @@ def test_no_tex_is_left_in_the_words(some):
 @pytest.mark.parametrize(
     ("text", "made"),
     [
-        ("a $b$ c", "a :math:`b` c"),
-        ("5\\,\\% of *it*", "5\u202f% of \\*it\\*"),
-        ("$x$, $y$s", ":math:`x`\\ , :math:`y`\\ s"),
-        ("(b) and (c) differ", "\\ (b) and (c) differ"),
+        ("a $b$ c", ["a ", "<math>b</math>", " c"]),
+        ("5\\,\\% of *it*", ["5\u202f% of *it*"]),
+        ("$x$, $y$s", ["<math>x</math>", ", ", "<math>y</math>", "s"]),
+        ("(b) and (c) differ", ["(b) and (c) differ"]),
+        (r"\emph{all $c_n$}", ["<emphasis>all <math>c_n</math></emphasis>"]),
     ],
 )
 def test_words(text, made):
-    assert words(text) == made
+    assert [str(node) for node in words(text)] == made
+
+
+@pytest.mark.parametrize("name", ["explorer", "errata", "sweep"])
+def test_no_page_of_the_site_takes_the_place_of_a_chapter(name):
+    """One that is named like a public name has its own page, too."""
+    one, jury = (replace(chapter(SOME[0]), path=Path(f"{n}.py")) for n in (name, "jury"))
+    with pytest.raises(ReportError, match=f"{name}: the site has a page of this name"):
+        trees([(1, one)], whole=True)
+    assert trees([(1, jury)], whole=True)["jury"]["number"] == 1
 
 
 def test_a_formula_that_pandoc_cannot_read_is_told():
@@ -306,24 +320,36 @@ def test_the_ledger_is_filtered_and_sorted(whole, opened):
     opened.get_by_label("Find").fill("")
     opened.get_by_label("Verdict").select_option("")
     opened.get_by_role("button", name="verdict").click()
-    assert opened.locator(f"{shown} td:nth-child(3)").first.inner_text().strip() == "argued"
+    assert opened.locator(f"{shown} td:nth-child(3)").first.inner_text().strip() == "definition"
 
 
 def test_every_public_name_has_a_place_with_what_its_arguments_are():
-    from symhaptic.book.site.reference import PUBLIC, pages
+    from symhaptic.book.report.reference import PUBLIC, beside, page
 
-    text = pages()["reference"]
+    text = page([])
     for name in PUBLIC:
         assert re.search(rf"^\.\. auto(function|class):: {name}$", text, re.MULTILINE), name
-    assert "* - ``delta``\n     - :math:`\\delta`\n     - 1\n     - nonnegative\n" in text
-    assert ":ref:`(11) <statement-eq11>`" in text
+    shown = beside("max_passive_stiffness")
+    cells = [[entry.astext() for entry in row] for row in shown.findall(nodes.row)]
+    assert ["delta", r"\delta", "1", "nonnegative"] in [row[:4] for row in cells]
+    assert "In the paper it is (11), as printed:" in shown.astext()
+
+
+def docstrings():
+    """Whatever the reference takes over."""
+    from symhaptic.book.report.reference import PUBLIC, mathematics
+
+    for name in PUBLIC:
+        thing = getattr(symhaptic, name)
+        yield mathematics(inspect.getdoc(thing) or "")
+        for member, of in vars(thing).items() if inspect.isclass(thing) else ():
+            if not member.startswith("_"):
+                yield mathematics(inspect.getdoc(of) or "")
 
 
 def test_public_docstrings_can_be_set():
     """Sphinx would stop at what docutils cannot read; roles are Sphinx's, and are no words here."""
     from docutils.core import publish_doctree
-
-    from symhaptic.book.site.reference import docstrings
 
     for text in docstrings():
         plain = re.sub(r":(class|func|meth|mod):(?=`)", "", text)
@@ -335,7 +361,7 @@ def test_public_docstrings_can_be_set():
 
 def test_what_public_docstrings_name_has_a_place():
     """Sphinx stops at a name that the reference has not, and with it the report."""
-    from symhaptic.book.site.reference import PUBLIC, docstrings
+    from symhaptic.book.report.reference import PUBLIC
 
     for text in docstrings():
         for name in re.findall(r":(?:class|func|meth):`~?symhaptic\.([\w.]+)`", text):
@@ -378,7 +404,7 @@ def test_the_errata_are_filtered(whole, opened):
 
 
 def test_the_guides_are_pages_with_their_code_and_links():
-    from symhaptic.book.site.guides import ORDER, guides
+    from symhaptic.book.report.guides import ORDER, guides
 
     found = guides()
     assert list(found) == list(ORDER)
@@ -388,7 +414,7 @@ def test_the_guides_are_pages_with_their_code_and_links():
 
 
 def test_the_pictures_of_the_guides_are_there():
-    from symhaptic.book.site.guides import guides, pictures
+    from symhaptic.book.report.guides import guides, pictures
 
     shown = pictures()
     assert shown

@@ -26,7 +26,7 @@ def test_a_device_of_unknown_mass_asks_for_one():
 
 
 def test_the_explorer_has_the_same_devices():
-    from symhaptic.book.site.devices import DEVICES
+    from symhaptic.book.report.devices import DEVICES
 
     for preset, (name, said) in zip(DEVICES, Scene.devices().items(), strict=True):
         assert preset.name.startswith(name)

@@ -65,12 +65,6 @@ class Checked:
         """Why it is not checked whole, without how many of its steps are open."""
         return re.sub(r"^\d+ steps? open: ", "", self.why or "")
 
-    @property
-    def in_short(self) -> str:
-        """How far, with the number of steps that are open."""
-        steps = (self.why or "").partition(":")[0]
-        return {WHOLE: "whole", LEAVES: f"in part, {steps}", NOT: "not"}[self.extent]
-
 
 def mark(judged: Judged) -> str:
     """What two judgements share whose theorems say the same."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -132,19 +131,3 @@ def numbers() -> Mapping[str, int]:
     """Number of each chapter of the book, by its name."""
     names = in_parts([path.stem for path in shipped()], lambda name: name)
     return {name: number for number, name in enumerate(names, 1)}
-
-
-_MARK = re.compile(r"\\chapter\{(\w+)\}")
-
-
-def referred(text: str, shown: Callable[[int], str]) -> str:
-    r"""Prose in which ``\chapter{name}`` has become what is shown of that chapter's number.
-
-    The name of an unknown chapter stays as it is typed.
-
-    >>> referred(r"see \chapter{s2a_device}", lambda number: f"chapter {number}")
-    'see chapter 1'
-    """
-    return _MARK.sub(
-        lambda mark: shown(numbers()[mark[1]]) if mark[1] in numbers() else mark[0], text
-    )

@@ -23,10 +23,13 @@ _RELATIONS = {
     ">": ">",
     "=": "=",
 }
+_AROUND = {"conj": r"\overline", "sqrt": r"\sqrt"}
+"""Functions that LaTeX draws around what they are of."""
+
 _FUNCTIONS = {
-    **{name: f"\\{name}" for name in ("exp", "sin", "cos", "det", "log")},
+    **{name: f"\\{name}" for name in ("exp", "sin", "cos", "tan", "det", "log")},
     **{name: rf"\mathrm{{{name}}}" for name in ("Re", "Im", "adj", "tr")},
-    "conj": r"\overline",
+    **_AROUND,
     "int": r"\int",
     "df": "df",
     "du": r"\,du",
@@ -79,8 +82,8 @@ def in_formulas(text: str) -> str:
     "$p(z)\\ne0$ for a $v$, and $z^{d+1}A$ of Jury's $p'$ at $\\exp(j\\theta)$ in (18)"
     >>> in_formulas("A zero a is of n1, a and e; conj(p) ends at 1, and see 5.10(b)")
     'A zero $a$ is of $n_1$, $a$ and $e$; $\\overline{p}$ ends at 1, and see 5.10(b)'
-    >>> in_formulas("tr A = 2 Re z")
-    '$\\mathrm{tr}\\,A=2\\,\\mathrm{Re}\\,z$'
+    >>> in_formulas("tr A = 2 Re z"), in_formulas("stiffness, sqrt(K T^2/m)")
+    ('$\\mathrm{tr}\\,A=2\\,\\mathrm{Re}\\,z$', 'stiffness, $\\sqrt{KT^2/m}$')
     """
     return _prose(_bracketed(list(_tokens(text))))
 
@@ -125,7 +128,7 @@ def _bracketed(parts: Sequence[_Part]) -> list[_Part]:
             if held and all(p.is_formula for p in held) and not equation:
                 text = "".join(p.space * (i > 0) + p.text for i, p in enumerate(inside))
                 latex = inside[0].text + _formula(inside[1:-1]) + part.text
-                if before is not None and before.text == "conj":
+                if before is not None and before.text in _AROUND:
                     latex = f"{{{_formula(inside[1:-1])}}}"
                 out[first:] = [_Part("bracket", inside[0].space, text, latex)]
     return out

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -193,34 +193,11 @@ class Record:
                 break
         return form
 
-    def _equation(
-        self,
-        title: str,
-        lines: Sequence[tuple[Any, str, Any]],
-        verdict: str,
-        how: str | Comparison,
-        because: str,
-        boxed: bool = False,
-        kind: str = "equation",
-        paper: str = "",
-        theorem: Theorem | None = None,
-    ) -> None:
-        if not lines and theorem is None:
-            raise FalseStep(f"{title}: nothing is shown; give one line or more")
-        for left, _, right in lines:
-            in_latex(f"step {title!r}", left, right)
+    def _add(self, block: Block) -> None:
+        """Add an equation or a theorem, with its number."""
+        if not block.lines and block.theorem is None:
+            raise FalseStep(f"{block.title}: nothing is shown; give one line or more")
+        for left, _, right in block.lines:
+            in_latex(f"step {block.title!r}", left, right)
         self._count += 1
-        self.blocks.append(
-            Block(
-                kind,
-                title,
-                because,
-                tuple(lines),
-                verdict,
-                how,
-                self._count,
-                boxed,
-                paper=paper,
-                theorem=theorem,
-            )
-        )
+        self.blocks.append(replace(block, number=self._count))

@@ -58,8 +58,19 @@ class Steps(Record):
             raise FalseStep(f"{title}: {other}")
         self._defined(name, meaning)
         note = "units agree" if unit == "1" else f"units agree: {unit}"
-        self._equation(title, [(name, "=", meaning)], "definition", note, because)
+        self._show(title, because, [(name, "=", meaning)], "definition", note)
         return meaning
+
+    def _show(
+        self,
+        title: str,
+        because: str,
+        lines: Sequence[tuple[Any, str, Any]],
+        verdict: str,
+        how: str | Comparison,
+        **given: Any,
+    ) -> None:
+        self._add(Block("equation", title, because, tuple(lines), verdict, how, **given))
 
     def limits(self, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Evidence:
         """A limit proved without being written on the page."""
@@ -119,7 +130,7 @@ class Steps(Record):
         left = written[0] if name is None else name
         rights = written[1:] if name is None else written
         lines = [(left if i == 0 else "", "=", right) for i, right in enumerate(rights)]
-        self._equation(title, lines, "proved", how, because, boxed, paper=paper)
+        self._show(title, because, lines, "proved", how, boxed=boxed, paper=paper)
         return chain[-1]
 
     def _is_name(self, title: str, name: Expr | str | None, means: Expr) -> None:
@@ -150,16 +161,8 @@ class Steps(Record):
             raise FalseStep(f"{title}: {theorem!r} is no theorem")
         if told := alike(*theorem.conclusion.free.union(*(p.free for p in theorem.hypotheses))):
             raise FalseStep(f"step {title!r}: {told}")
-        self._equation(
-            title,
-            (),
-            "proved",
-            "a theorem of the kernel",
-            because,
-            boxed,
-            kind="theorem",
-            theorem=theorem,
-        )
+        how = "a theorem of the kernel"
+        self._add(Block("theorem", title, because, (), "proved", how, boxed=boxed, theorem=theorem))
         return theorem
 
     def minimal(
@@ -173,7 +176,7 @@ class Steps(Record):
                 raise FalseStep(f"{title}: {name} has another minimal polynomial")
         lines = [(name, "=", number.minimal) for name, number in numbers]
         method = r"irreducible over $\mathbb{Q}$; balls around the roots"
-        self._equation(title, lines, "proved", method, because)
+        self._show(title, because, lines, "proved", method)
 
     def enclosed(
         self,
@@ -203,7 +206,7 @@ class Steps(Record):
                 if not (begins_with(own, text) and own.overlaps(value)):
                     raise FalseStep(f"{title}: {name} is not {text}...")
             rows.append((name, "=", text + r"\ldots"))
-        self._equation(title, rows, "enclosed", "ball arithmetic", because)
+        self._show(title, because, rows, "enclosed", "ball arithmetic")
 
     def _shown(self, source: Source) -> arb:
         """A ball, whose certificates are kept."""
@@ -234,7 +237,7 @@ class Steps(Record):
         left = rf"\lim_{{{latex(variable)}\to {latex(at)}}} {inner}"
         given = ",\\ ".join(chains(sorted(theorem.hypotheses, key=written)))
         why = "; ".join(filter(None, [f"for ${given}$" if given else "", because]))
-        self._equation(title, [(left, "=", value)], "proved", "exact series", why)
+        self._show(title, why, [(left, "=", value)], "proved", "exact series")
         return value
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:

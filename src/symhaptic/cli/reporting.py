@@ -71,8 +71,7 @@ def report(
     from symhaptic.book.figures.drawings import Drawings
     from symhaptic.book.ledger import of_chapter
     from symhaptic.book.parts import in_parts
-    from symhaptic.book.site import place as site
-    from symhaptic.book.tex import build, place, tex
+    from symhaptic.book.report import place
 
     if listing:
         only_listed(
@@ -92,16 +91,20 @@ def report(
     if listing:
         typer.echo("\n".join(path.stem for path in paths))
         return
-    if format is not ReportFormat.html and not tex.can():
-        refuse(tex.NEEDS)
-    can = tex.has_tex()
+    if format is not ReportFormat.html and not place.can():
+        refuse(place.NEEDS)
+    if format is ReportFormat.html and not place.can_site():
+        refuse(f"--format html: {place.SITE_NEEDS}")
+    from symhaptic.book.report import printed
+
+    can = place.has_tex()
     if format is ReportFormat.pdf and not can and not check:
-        refuse(f"--format pdf: {tex.NO_TEX}")
+        refuse(f"--format pdf: {place.NO_TEX}")
     if standalone and not chapter:
         refuse("--standalone: needs --chapter NAME")
     some = [named(name, paths) for name in dict.fromkeys(chapter or [])]
     pdf = format is ReportFormat.pdf if some else can and format in (None, ReportFormat.pdf)
-    html = format is ReportFormat.html or (format is None and not some and site.can())
+    html = format is ReportFormat.html or (format is None and not some and place.can_site())
     only_html = format is ReportFormat.html
     if only_html and check:
         refuse("--format html: does not go with --check, which compares LaTeX; leave one out")
@@ -109,26 +112,28 @@ def report(
     alone = standalone or pdf
     try:
         with Drawings() as drawings:
-            build.check(paths)
+            printed.check(paths)
             if not check:
                 folder_allowed(output)
                 names = (
-                    build.names_of_excerpt(some, alone, pdf) if some else build.names_of(paths, pdf)
+                    printed.names_of_excerpt(some, alone, pdf)
+                    if some
+                    else printed.names_of(paths, pdf)
                 )
                 names = [f"{path.stem}.html" for path in some] if single else names
                 place.refuse_foreign(output, names if single or not only_html else [])
-                if single and not site.can():
-                    refuse(f"--format html: {site.NEEDS}")
                 if html and not single:
-                    site.allowed(output / "site")
+                    place.allowed(output / "site")
             elif not output.is_dir():
                 refuse(f"-o {output}: is no folder; with --check give the folder of a report")
             chapters = chapters_of(some or paths, nothing if check or some else drawings.begin)
             stale([entry for one in chapters for entry in of_chapter(one)])
             numbered = [(paths.index(one.path) + 1, one) for one in chapters]
             if check:
-                files = build.excerpt_files(numbered, alone) if some else build.text_files(chapters)
-                diff = build.differences(files, output, whole=not some)
+                files = (
+                    printed.excerpt_files(numbered, alone) if some else printed.text_files(chapters)
+                )
+                diff = printed.differences(files, output, whole=not some)
                 typer.echo(diff, nl=False)
                 if diff:
                     typer.echo(
@@ -137,29 +142,29 @@ def report(
                     raise typer.Exit(1)
                 return
             if some and not only_html:
-                build.write_excerpt(numbered, output, alone, pdf, say)
+                printed.write_excerpt(numbered, output, alone, pdf, say)
             elif not only_html:
-                build.write(chapters, output, pdf, say, drawings.take)
+                printed.write(chapters, output, pdf, say, drawings.take)
             if single:
-                from symhaptic.book.site.single import write_single
+                from symhaptic.book.report.site import write_single
 
                 made = write_single(numbered, output, say)
                 typer.echo("\n".join(f"wrote {path}" for path in made))
                 return
             if html:
-                from symhaptic.book.site.build import write as write_site
+                from symhaptic.book.report.site import write as write_site
 
                 write_site(numbered, output / "site", say, not some, drawings.take)
-    except tex.ReportError as wrong:
+    except place.ReportError as wrong:
         refuse(str(wrong))
     mains = ["book"] if not some else ["chapters"] if alone else [path.stem for path in some]
     mains = [f"{name}.{'pdf' if pdf else 'tex'}" for name in mains if not only_html]
     mains += ["site/index.html"] if html else []
     typer.echo("\n".join(f"wrote {output / name}" for name in mains))
     if not pdf and not some and format is None:
-        typer.echo(f"no PDF: {tex.NO_TEX}", err=True)
+        typer.echo(f"no PDF: {place.NO_TEX}", err=True)
     if not html and not some and format is None:
-        typer.echo(f"no site: {site.NEEDS}", err=True)
+        typer.echo(f"no site: {place.SITE_NEEDS}", err=True)
 
 
 def say(line: str) -> None:

@@ -10,8 +10,20 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 from symhaptic.book.figures.passivity import COLOURS, STYLE, WIDTH
-from symhaptic.book.tex.words import number
 from symhaptic.numeric.tracing.region import Region
+
+
+def number(value: float) -> str:
+    r"""Up to six digits of a number inside a formula, with a power of ten where it needs one.
+
+    >>> number(0.02), number(6.944e-05), number(1e6)
+    ('0.02', '6.944\\times10^{-5}', '10^{6}')
+    """
+    mantissa, _, power = f"{value:g}".partition("e")
+    if not power:
+        return mantissa
+    ten = f"10^{{{int(power)}}}"
+    return ten if mantissa == "1" else rf"{mantissa}\times{ten}"
 
 
 def heading(region: Region) -> str:

@@ -1,108 +1,136 @@
-"""The committed measurement as a chapter of the book: speed against error."""
+"""The committed measurement as a page of the book: speed against error."""
 
 from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import Any
+
+from docutils.nodes import Node, section
 
 from symhaptic.book.measured import record as records
 from symhaptic.book.measured.says import sentences
 from symhaptic.book.measured.tables import Table, about, tables
-from symhaptic.book.tex.words import literally, prose
-
-_SHORT = 14
-"""Rows of a table that stays on one page."""
+from symhaptic.book.report import tree
 
 
-def measurement(path: Path) -> dict[str, Any]:
-    """What the template of the chapter needs; empty where nothing is committed.
+def measurement(path: Path) -> section | None:
+    """The page; None where nothing is committed.
 
     Raises :class:`symhaptic.book.measured.record.BadRecord` for a file that is no record.
     """
     if not path.is_file():
-        return {}
+        return None
     record = records.read(path)
-    names = ("floats", "digits", "boundary", "times", "wrong", "models", "peers")
-    shown = {name: table_tex(t) for name, t in zip(names, tables(record), strict=True)}
-    says = {name: prose_tex(text) for name, text in sentences(record).items()}
-    known = {"about": literally(about(record)), "method": record["method"]}
-    return {**known, "tables": shown, "says": says}
+    floats, digits, boundary, times, wrong, models, peers = map(_table, tables(record))
+    says = {name: typeset(text) for name, text in sentences(record).items()}
+    return tree.section(
+        "Speed against error",
+        _prose(
+            "All before this section is proved; what follows is measured: what a formula costs, "
+            "how many digits it gives, and what another way costs or loses. Times depend on the "
+            "machine and on what else it does; compare those of one table with each other. "
+            r"\texttt{symhaptic bench} measures again."
+        ),
+        tree.paragraph(about(record), " ", record["method"]),
+        tree.rubric("Formulas"),
+        _prose(
+            r"As printed, (14) and (18) are $0/0$ for $\gamma=0$ and at critical damping, and "
+            r"inside the paper's own range (23), where $\gamma$ and $\delta$ are small, their "
+            f"differences lose digits; more digits move the loss and leave the $0/0$. "
+            f"{says['formulas']} In single precision an angle behind a delay of many thousand "
+            r"periods has no digits to keep. \emph{Package} is what the package itself computes "
+            "with on arrays, its checks of the arguments included: kernels that the exporter "
+            r"wrote. \emph{C} is the exported code."
+        ),
+        *floats,
+        *digits,
+        tree.figure("bench_functions", "", tree.words(
+            "Worst error over time per evaluation, with a bar down to the median: dots are double "
+            "precision, triangles single, diamonds 30 and 50 digits, squares balls of 53 and 128 "
+            "bits, whose error is their radius. Grey lines are the last places of these "
+            "precisions. An error larger than the largest term is drawn at the top, one below "
+            "$10^{-55}$ at the bottom; NaN is the share of points without a number. Derived forms "
+            "are shown in double precision only."
+        )),
+        tree.rubric("The boundary of stability"),
+        _prose(
+            "The paper's grid and bisections along rays pay for each digit and for each period of "
+            "delay; the explicit form is one evaluation, whatever the delay. " + says["boundary"]
+        ),
+        tree.figure("bench_boundary", "", tree.words(
+            "Largest distance of points from the exact curve over time per point; along a line "
+            "the threshold of the bisection gets smaller."
+        )),
+        *boundary,
+        tree.rubric("Stable or not"),
+        _prose(
+            "The count of the roots outside the unit circle does not see how long the delay is; "
+            "of eigenvalues the steps grow with the cube of the delay, and of Jury's table with "
+            "its square. Close to the boundary these two judge by their rounding, where the count "
+            "gives no verdict. With (14) as printed there is none without stiffness or at "
+            f"critical damping. {says['stability']}"
+        ),
+        tree.figure("bench_stability", "", tree.words(
+            "Left: time per wall over the delay. Right: wrong verdicts over the relative distance "
+            "of a wall from the boundary, walls of all delays together."
+        )),
+        *times,
+        *wrong,
+        tree.rubric("Simpler models"),
+        _prose(says["models"]),
+        tree.figure("bench_models", "", tree.words(
+            "Median error of the largest stable stiffness over time per limit, with a quarter of "
+            "the virtual damping of the stiffest wall, over the paper's ranges (23)."
+        )),
+        *models,
+        tree.rubric("Other tools"),
+        _prose(
+            "Each question as users ask it; tools without arrays take one after the other. "
+            + says["peers"]
+        ),
+        *peers,
+        to="page",
+        at="bench",
+        code="bench.json",
+    )  # fmt: skip
 
 
-def prose_tex(text: str) -> str:
-    r"""A sentence for LaTeX, its numbers and units typeset.
-
-    >>> prose_tex("1.2e-7 to 3.5 us, and 20 per cent at d = 8")
-    '$1.2\\cdot10^{-7}$ to 3.5\\,$\\mu$s, and 20 per cent at $d = 8$'
-    """
-    shown = re.sub(r"\bd = (\d+)", r"\0\1\0", text)  # a formula, which keeps its number
-    parts = shown.split("\0")
-    return "".join(f"$d = {part}$" if i % 2 else cell_tex(part) for i, part in enumerate(parts))
+def _prose(text: str) -> Node:
+    return tree.paragraph(tree.words(text))
 
 
-def table_tex(table: Table) -> str:
-    """What a table says and the table below, which may be as wide as text and margin together.
-
-    A long one goes on over pages, but not in the midst of a group.
-    """
+def _table(table: Table) -> list[Node]:
+    """What a table says, and the table."""
+    rows = [[tree.words(typeset(cell)) for cell in row] for row in (table.head, *table.rows)]
     columns = "l" * table.words + "r" * (len(table.head) - table.words)
-    says = f"\\emph{{{table.title}.}}\\enspace {prose(table.says)}"
-    head = f"\\toprule {_line(table.head)} \\\\ \\midrule"
-    lines = [
-        "{\\footnotesize\\setlength{\\LTleft}{0pt}\\setlength{\\LTright}{-37mm}"
-        "\\setlength{\\tabcolsep}{4.5pt}\\setlength{\\LTpre}{9pt}\\setlength{\\LTpost}{0pt}",
-    ]
-    if len(table.rows) > _SHORT:
-        over = f"\\multicolumn{{{len(table.head)}}}{{@{{}}l@{{}}}}"
-        says = f"\\rlap{{\\parbox[b]{{\\textwidth}}{{{says}\\strut}}}}"
-        end = "\\end{longtable}"
-        lines += [
-            f"\\begin{{longtable}}{{@{{}}{columns}@{{}}}}",
-            f"{over}{{{says}}} \\\\[4pt] {head}\\endfirsthead",
-            f"{head}\\endhead \\bottomrule\\endfoot",
-        ]
-    else:
-        end = "\\bottomrule\n\\end{tabular}}"
-        lines += [
-            "\\needspace{16\\baselineskip}",
-            f"{says}\\par\\nopagebreak",
-            f"\\makebox[\\textwidth][l]{{\\begin{{tabular}}{{@{{}}{columns}@{{}}}}",
-            head,
-        ]
-    for at, row in enumerate(table.rows):
-        closes = at + 1 == len(table.rows) or bool(table.rows[at + 1][0])
-        apart = "[3pt]" if closes and table.words > 1 else ""
-        lines.append(f"{_line(row)} \\\\{'' if closes else '*'}{apart}")
-    return "\n".join([*lines, f"{end}\\par}}", "\\medskip", ""])
+    says = tree.paragraph(tree.emphasis(f"{table.title}."), " ", tree.words(table.says))
+    return [says, tree.table("numbers", rows, columns=columns)]
 
 
-def _line(cells: tuple[str, ...]) -> str:
-    return " & ".join(cell_tex(cell) for cell in cells)
+_NUMBER = re.compile(
+    r"\bd = (?P<delay>\d+)"
+    r"|(?<![\w.])(?P<sign>-?)(?P<digits>\d+(?:\.\d+)?)(?:e(?P<power>-?\d+))?"
+    r"(?: (?P<unit>ns|us|ms|s)\b)?"
+)
 
 
-def cell_tex(text: str) -> str:
-    r"""Plain text for LaTeX, powers of ten and units typeset.
+def typeset(text: str) -> str:
+    r"""Plain words as prose, their numbers, powers of ten and units typeset.
 
-    >>> cell_tex("1.2e-7"), cell_tex("3.5 us"), cell_tex("d")
-    ('$1.2\\cdot10^{-7}$', '3.5\\,$\\mu$s', '$d$')
+    >>> typeset("1.2e-7 to 3.5 us, and 20 per cent at d = 8"), typeset("d"), typeset("-")
+    ('$1.2\\cdot10^{-7}$ to 3.5\\,$\\mu$s, and 20 per cent at $d = 8$', '$d$', '–')
     """
-    if text in ("d", "-"):
-        return {"d": "$d$", "-": "--"}[text]
-    return _NUMBER.sub(_typeset, literally(text))
-
-
-_NUMBER = re.compile(r"(?<![\w.])(-?)(\d+(?:\.\d+)?)(?:e(-?\d+))?(?: (ns|us|ms|s)\b)?")
-
-
-_UNITS = {"us": r"$\mu$s"}
+    return {"d": "$d$", "-": "–"}.get(text) or _NUMBER.sub(_typeset, text)
 
 
 def _typeset(found: re.Match[str]) -> str:
-    sign, digits, power, unit = found.groups()
+    mu = r"$\mu$s"
+    sign, digits, power, unit = found["sign"], found["digits"], found["power"], found["unit"]
+    if found["delay"]:
+        return f"${found[0]}$"
     shown = sign + digits
     if power:
         shown = f"{sign}10^{{{power}}}" if digits == "1" else rf"{shown}\cdot10^{{{power}}}"
     if sign or power:
         shown = f"${shown}$"
-    return shown + (rf"\,{_UNITS.get(unit, unit)}" if unit else "")
+    return shown + (rf"\,{unit.replace('us', mu)}" if unit else "")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from symhaptic.book.measured.tables import Row, nanoseconds, number, share
+from symhaptic.book.measured.tables import Row, average, chosen, nanoseconds, number, share
 
 _PERCENT = "per cent"
 
@@ -21,10 +21,6 @@ def sentences(record: dict[str, Any]) -> dict[str, str]:
     }
 
 
-def _some(rows: list[Row], **fields: Any) -> list[Row]:
-    return [row for row in rows if all(row[field] == is_ for field, is_ in fields.items())]
-
-
 def _range(times: Iterable[float]) -> str:
     times = sorted(times)
     ends = [nanoseconds(times[0]), nanoseconds(times[-1])]
@@ -32,11 +28,11 @@ def _range(times: Iterable[float]) -> str:
 
 
 def _formulas(rows: list[Row]) -> str:
-    device = _some(rows, function="discretize", way="printed")
+    device = chosen(rows, function="discretize", way="printed")
     known = {(row["precision"], row["set"]): row for row in device}
     easy, hard = (known.get(("float64", name)) for name in ("ordinary", "hard"))
     many = known.get(("50 digits", "hard"))
-    stable = [row["worst"] for row in _some(rows, way="stable", precision="float64")]
+    stable = [row["worst"] for row in chosen(rows, way="stable", precision="float64")]
     stable = [worst for worst in stable if worst is not None]
     if not (easy and hard and many and stable):
         return ""
@@ -50,10 +46,10 @@ def _formulas(rows: list[Row]) -> str:
 
 
 def _boundary(rows: list[Row]) -> str:
-    explicit, grid = _some(rows, method="explicit"), _some(rows, method="grid")
+    explicit, grid = chosen(rows, method="explicit"), chosen(rows, method="grid")
     if not (explicit and grid):
         return ""
-    finest = _some(grid, threshold=min(row["threshold"] for row in grid))
+    finest = chosen(grid, threshold=min(row["threshold"] for row in grid))
     told = [
         f"{_range(row['seconds'] for row in some)} a point and is off by "
         f"{number(max(row['worst'] for row in some))} at most"
@@ -68,14 +64,13 @@ def _stability(rows: list[Row]) -> str:
              "counted": "by the count"}  # fmt: skip
     times, wrong = [], []
     for method, way in names.items():
-        some = {row["delay"]: row for row in _some(rows, method=method)}
+        some = {row["delay"]: row for row in chosen(rows, method=method)}
         if first not in some or last not in some:
             return ""
         begin, end = (nanoseconds(some[d]["seconds"]) for d in (first, last))
         times.append(f"{begin} and {end} {way}")
-        walls = sum(row["walls"] for row in some.values())
         close = min(rows[0]["wrong"], key=float)
-        missed = sum(row["wrong"][close] * row["walls"] for row in some.values()) / walls
+        missed = average([*some.values()], [row["wrong"][close] for row in some.values()])
         wrong.append(f"{share(missed)} {_PERCENT} {way}")
     near = f"{float(close):.0e}".replace("e-0", "e-")
     return (
@@ -92,7 +87,7 @@ def _models(rows: list[Row]) -> str:
     def farthest(some: list[Row]) -> str:
         return share(max(max(abs(row["most"]), abs(row["least"])) for row in some))
 
-    linear = _some(rows, model="linear")
+    linear = chosen(rows, model="linear")
     plain = [row for row in linear if row["damping"] == 0]
     damped = [row for row in linear if row["damping"] > 0]
     if not (plain and damped):
@@ -104,7 +99,7 @@ def _models(rows: list[Row]) -> str:
         "stable."
     ]
     for model, left_out in (("no stiffness", "stiffness"), ("no damping", "damping")):
-        some = _some(rows, model=model)
+        some = chosen(rows, model=model)
         if some:
             told.append(
                 f"Leaving out the {left_out} of the arm changes the limit by up to "
@@ -116,7 +111,7 @@ def _models(rows: list[Row]) -> str:
 def _peers(rows: list[Row]) -> str:
     told = []
     for task in dict.fromkeys(row["task"] for row in rows):
-        some = [row for row in _some(rows, task=task) if row["installed"]]
+        some = [row for row in chosen(rows, task=task) if row["installed"]]
         own = [row for row in some if row["tool"] == "symhaptic"]
         others = [row for row in some if row["tool"] != "symhaptic"]
         if not own or not others:

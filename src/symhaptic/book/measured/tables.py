@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
@@ -80,8 +81,27 @@ def words(name: str) -> str:
     return name.replace("_", " ")
 
 
+def chosen(rows: Iterable[Row], **fields: Any) -> list[Row]:
+    """The rows that have these values."""
+    return [row for row in rows if all(row[field] == is_ for field, is_ in fields.items())]
+
+
 def _names(rows: Iterable[Row], field: str) -> list[Any]:
     return list(dict.fromkeys(row[field] for row in rows))
+
+
+def _grouped(rows: Iterable[tuple[str, ...]]) -> tuple[tuple[str, ...], ...]:
+    """Rows of which only the first of a group has its name."""
+    found: list[tuple[str, ...]] = []
+    last = None
+    for name, *cells in rows:
+        found.append((name if name != last else "", *cells))
+        last = name
+    return tuple(found)
+
+
+def _power(threshold: float | str) -> str:
+    return f"{float(threshold):.0e}".replace("e-0", "e-")
 
 
 def _units(last: float | None) -> str:
@@ -91,37 +111,20 @@ def _units(last: float | None) -> str:
 def _floats(rows: list[Row]) -> Table:
     found = []
     for name in _names(rows, "function"):
-        first = True
         for way in _names(rows, "way"):
-            at = {
-                r["set"]: r
-                for r in rows
-                if (r["function"], r["way"], r["precision"]) == (name, way, "float64")
-            }
-            if not at:
-                continue
-            easy, hard = at["ordinary"], at["hard"]
-            found.append(
-                (
-                    words(name) if first else "",
-                    way,
-                    nanoseconds(easy["seconds"]),
-                    _units(easy["median"]),
-                    _units(easy["worst"]),
-                    share(easy["missing"]),
-                    _units(hard["median"]),
-                    _units(hard["worst"]),
-                    share(hard["missing"]),
-                )
-            )
-            first = False
+            at = {r["set"]: r for r in chosen(rows, function=name, way=way, precision="float64")}
+            if at:
+                cells = [words(name), way, nanoseconds(at["ordinary"]["seconds"])]
+                for row in (at["ordinary"], at["hard"]):
+                    cells += [_units(row["median"]), _units(row["worst"]), share(row["missing"])]
+                found.append(tuple(cells))
     head = ("function", "way", "time", "median", "worst", "NaN", "median", "worst", "NaN")
     says = (
         "Errors in units in the last place of the largest term of the stable form, in double "
         "precision; first on ordinary parameters, inside (23), then on hard ones. Above $10^{16}$ "
         "no digit is left. NaN is the share in per cent of points without a number."
     )
-    return Table("Functions in double precision", head, tuple(found), 2, says)
+    return Table("Functions in double precision", head, _grouped(found), 2, says)
 
 
 _OTHER = (
@@ -137,29 +140,22 @@ _OTHER = (
 def _digits(rows: list[Row]) -> Table:
     found = []
     for name in _names(rows, "function"):
-        first = True
         for way, precision in _OTHER:
-            at = {
-                r["set"]: r
-                for r in rows
-                if (r["function"], r["way"], r["precision"]) == (name, way, precision)
-            }
-            if not at:
-                continue
-            cells = [nanoseconds(at["ordinary"]["seconds"])]
-            for which in ("ordinary", "hard"):
-                row = at[which]
-                worst = None if row["worst"] is None else row["worst"] * row["last"]
-                cells += [number(worst), share(row["missing"])]
-            found.append((words(name) if first else "", f"{way}, {precision}", *cells))
-            first = False
+            at = {r["set"]: r for r in chosen(rows, function=name, way=way, precision=precision)}
+            if at:
+                seconds = nanoseconds(at["ordinary"]["seconds"])
+                cells = [words(name), f"{way}, {precision}", seconds]
+                for row in (at["ordinary"], at["hard"]):
+                    worst = None if row["worst"] is None else row["worst"] * row["last"]
+                    cells += [number(worst), share(row["missing"])]
+                found.append(tuple(cells))
     head = ("function", "way", "time", "worst", "NaN", "worst", "NaN")
     says = (
         "Worst error in parts of the largest term, for balls their radius, on ordinary and on hard "
         "parameters. Numbers of 50 digits are mpmath's, balls python-flint's. A stable form whose "
         "value is zero has no 50 digits that could agree, and counts as NaN: beta without delay."
     )
-    return Table("Functions in other precisions", head, tuple(found), 2, says)
+    return Table("Functions in other precisions", head, _grouped(found), 2, says)
 
 
 def _boundary(rows: list[Row]) -> Table:
@@ -167,30 +163,29 @@ def _boundary(rows: list[Row]) -> Table:
     ends = (max(limits), min(limits))
     found = []
     for delay in _names(rows, "delay"):
-        for i, method in enumerate(_names(rows, "method")):
-            some = [r for r in rows if (r["delay"], r["method"]) == (delay, method)]
-            cells = []
-            for limit in ends:
-                for row in some:
-                    if row["threshold"] in (limit, None):
-                        cells += [nanoseconds(row["seconds"]), number(row["worst"])]
-            if len(some) == 1:
-                cells = [*cells[:2], "", ""]
-            found.append((f"{delay}" if not i else "", method, *cells))
-    coarse, fine = (f"{t:.0e}".replace("e-0", "e-") for t in ends)
+        for method in _names(rows, "method"):
+            points = chosen(rows, delay=delay, method=method)
+            cells = [
+                cell
+                for row in sorted(points, key=lambda r: -(r["threshold"] or 0))
+                if row["threshold"] in (*ends, None)
+                for cell in (nanoseconds(row["seconds"]), number(row["worst"]))
+            ]
+            found.append((f"{delay}", method, *cells, *[""] * (4 - len(cells))))
+    coarse, fine = map(_power, ends)
     head = ("d", "method", f"time, to {coarse}", "worst", f"time, to {fine}", "worst")
     says = (
         "Time per point, and the largest distance of a point from the exact curve, in the plane of "
         "alpha and beta, for two thresholds of the bisection. The explicit form has none."
     )
-    return Table("Points of the boundary of stability", head, tuple(found), 2, says)
+    return Table("Points of the boundary of stability", head, _grouped(found), 2, says)
 
 
 def _times(rows: list[Row]) -> Table:
     methods = _names(rows, "method")
     found = []
     for delay in _names(rows, "delay"):
-        at = {r["method"]: r for r in rows if r["delay"] == delay}
+        at = {r["method"]: r for r in chosen(rows, delay=delay)}
         found.append((f"{delay}", *(nanoseconds(at[m]["seconds"]) for m in methods)))
     says = "Time per wall, its plant's parameters given, over the delay in periods."
     return Table("Time of a stability test", ("d", *methods), tuple(found), 1, says)
@@ -199,62 +194,56 @@ def _times(rows: list[Row]) -> Table:
 def _wrong(rows: list[Row]) -> Table:
     found = []
     for method in _names(rows, "method"):
-        some = [r for r in rows if r["method"] == method]
-        cells = [share(_average(some, eps)) for eps in some[0]["wrong"]]
-        refused = sum(r["refused"] * r["walls"] for r in some) / sum(r["walls"] for r in some)
-        found.append((method, *cells, share(float(refused))))
-    distances = [f"{float(e):.0e}".replace("e-0", "e-") for e in rows[0]["wrong"]]
-    walls = sum(r["walls"] for r in rows if r["method"] == rows[0]["method"])
+        judged = chosen(rows, method=method)
+        missed = [average(judged, [r["wrong"][eps] for r in judged]) for eps in rows[0]["wrong"]]
+        refused = average(judged, [r["refused"] for r in judged])
+        found.append((method, *map(share, (*missed, refused))))
+    walls = sum(r["walls"] for r in chosen(rows, method=rows[0]["method"]))
     says = (
         f"Share in per cent of {walls} walls, of all these delays, that are judged wrongly at a "
         "relative distance from the boundary, and share that gets no verdict; one plant of four "
         "has no stiffness, one critical damping. The truth is Jury's table in balls."
     )
-    return Table(
-        "Wrong verdicts near the boundary", ("method", *distances, "refused"), tuple(found), 1, says
-    )
+    head = ("method", *map(_power, rows[0]["wrong"]), "refused")
+    return Table("Wrong verdicts near the boundary", head, tuple(found), 1, says)
 
 
-def _average(rows: list[Row], eps: str) -> float:
-    return float(sum(r["wrong"][eps] * r["walls"] for r in rows) / sum(r["walls"] for r in rows))
+def average(rows: list[Row], shares: Iterable[float]) -> float:
+    """The share of all walls, of those of each row."""
+    walls = [row["walls"] for row in rows]
+    return float(sum(map(operator.mul, shares, walls)) / sum(walls))
 
 
 def _models(rows: list[Row]) -> Table:
-    shares = _names(rows, "damping")
     found = []
     for delay in _names(rows, "delay"):
-        for i, model in enumerate(_names(rows, "model")):
-            some = [r for r in rows if (r["delay"], r["model"]) == (delay, model)]
+        for model in _names(rows, "model"):
+            limits = chosen(rows, delay=delay, model=model)
             cells = [
-                f"{share(r['least'])} to {share(r['most'])}" if model != "full" else "0"
-                for r in some
+                "0" if model == "full" else f"{share(r['least'])} to {share(r['most'])}"
+                for r in limits
             ]
-            found.append(
-                (f"{delay}" if not i else "", model, nanoseconds(some[0]["seconds"]), *cells)
-            )
-    head = ("d", "model", "time", *(f"{100 * s:g} %" for s in shares))
+            found.append((f"{delay}", model, nanoseconds(limits[0]["seconds"]), *cells))
+    head = ("d", "model", "time", *(f"{100 * s:g} %" for s in _names(rows, "damping")))
     says = (
         "Error in per cent of the largest stable stiffness that a simpler model gives, from least "
         "to most over (23): above zero it allows walls that are not stable. One column for each "
         "virtual damping, in parts of that of the stiffest wall."
     )
-    return Table("Simpler models", head, tuple(found), 2, says)
+    return Table("Simpler models", head, _grouped(found), 2, says)
 
 
 def _peers(rows: list[Row]) -> Table:
     found = []
-    for task in _names(rows, "task"):
-        for i, row in enumerate(r for r in rows if r["task"] == task):
-            start = (task if not i else "", row["tool"])
-            if not row["installed"]:
-                found.append((*start, "not installed", "", "", "", ""))
-                continue
-            off = number(row["worst"]) if row["wrong"] is None else f"{share(row['wrong'])} % wrong"
-            if row["missing"]:
-                off += f", {share(row['missing'])} % no answer"
-            one, many = nanoseconds(row["one"]), nanoseconds(row["many"])
-            ratios = number(row["ratio_one"]), number(row["ratio_many"])
-            found.append((*start, one, ratios[0], many, ratios[1], off))
+    for row in (row for task in _names(rows, "task") for row in chosen(rows, task=task)):
+        start = (row["task"], row["tool"])
+        if not row["installed"]:
+            found.append((*start, "not installed", "", "", "", ""))
+            continue
+        off = number(row["worst"]) if row["wrong"] is None else f"{share(row['wrong'])} % wrong"
+        off += f", {share(row['missing'])} % no answer" if row["missing"] else ""
+        one, many = nanoseconds(row["one"]), nanoseconds(row["many"])
+        found.append((*start, one, number(row["ratio_one"]), many, number(row["ratio_many"]), off))
     head = ("question", "tool", "one", "ratio", "of many", "ratio", "worst error")
     says = (
         "Time of one call, and per element on arrays of 20 000, one after the other where a tool "
@@ -262,7 +251,7 @@ def _peers(rows: list[Row]) -> Table:
         "to be judged have d = 2 and lie within 1e-12 of the boundary. A phase margin is a delay "
         "only where that is whole: the others' error of a delay margin is that of their question."
     )
-    return Table("Beside other tools", head, tuple(found), 2, says)
+    return Table("Beside other tools", head, _grouped(found), 2, says)
 
 
 def markdown(record: dict[str, Any]) -> str:

@@ -1,4 +1,4 @@
-"""A statement's theorem held against another claim, or with a part of its case left out.
+"""A question with one thing changed: a statement's theorem held against another claim.
 
 A claim is changed everywhere: each quantifier, connective, sign and formula in it, one at a time.
 """
@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import Protocol
 
-from symhaptic.book.mutation.change import Change
 from symhaptic.book.record import Settled
 from symhaptic.notation.proposition import (
     And,
@@ -31,6 +31,35 @@ from symhaptic.proof.mutants import few
 from symhaptic.proof.settle import WRONG
 from symhaptic.proof.theorems.judge import Judged, taken_apart
 from symhaptic.proof.verdict import Kind, Unfounded, Verdict
+
+
+class Check(Protocol):
+    """A question that a checker answers."""
+
+    def holds(self) -> bool:
+        """Whether the checker says yes."""
+        ...
+
+
+def inexcusable() -> str | None:
+    """Nothing excuses it."""
+    return None
+
+
+def because(reason: str) -> Callable[[], str | None]:
+    """A reason that is known beforehand."""
+    return lambda: reason
+
+
+@dataclass(frozen=True)
+class Change:
+    """A question with one thing changed."""
+
+    kind: str
+    what: str
+    check: Check
+    excuse: Callable[[], str | None] = inexcusable
+
 
 CONTRARY = "the contrary"
 

@@ -9,8 +9,7 @@ from fractions import Fraction
 
 from flint import arb
 
-from symhaptic.book.mutation.change import Change, because
-from symhaptic.book.mutation.judgements import changes_of_judgement
+from symhaptic.book.mutation.judgements import Change, because, changes_of_judgement
 from symhaptic.book.record import Settled
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import Notation, Printed, Unreadable, read

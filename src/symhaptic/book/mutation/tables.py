@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from symhaptic.book.chapters import BadChapter, Chapter, run, shipped
-from symhaptic.book.mutation.change import Change, because
+from symhaptic.book.mutation.judgements import Change, because
 from symhaptic.paper import tables
 from symhaptic.proof.mutants import misprints
 from symhaptic.proof.verdict import Kind

@@ -17,7 +17,7 @@ import sympy as sp
 
 from symhaptic.book import parallel
 from symhaptic.book.chapters import BadChapter, Chapter, run
-from symhaptic.book.mutation.change import Change
+from symhaptic.book.mutation.judgements import Change
 from symhaptic.book.mutation.statements import changes_of
 from symhaptic.book.mutation.tables import changes_of_tables
 

@@ -1,0 +1,164 @@
+"""Every public name, from its docstring by autodoc, with what its arguments are and its formula."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Collection
+from typing import Any
+
+from docutils import nodes
+
+import symhaptic
+from symhaptic.book.report import gallery, pages
+from symhaptic.book.report.tree import Part, container, display, led, math, paragraph, table
+from symhaptic.forms.stable import STATEMENTS
+from symhaptic.notation import SYMBOLS
+from symhaptic.paper import STATEMENTS as PRINTED
+
+PUBLIC = tuple(symhaptic.__all__)
+PREFIX = "reference:"
+
+GROUPS = {
+    "A device in SI units": ("Scene",),
+    "Stable walls": (
+        *("is_stable", "max_stable_stiffness", "delay_margin", "max_delay"),
+        *(
+            "stability_boundary",
+            "stable_region",
+            "robust_region",
+            "unstable_roots",
+            "characteristic_polynomial",
+        ),
+        *("grid_boundary", "linear_limit", "jury"),
+    ),
+    "Passive walls": (
+        *("is_passive", "max_passive_stiffness", "passivity_margin", "passivity_margin_at"),
+        *("passivity_boundary",),
+    ),
+    "The sampled device": ("discretize", "discretize_fractional"),
+    "Formulas and proofs": (
+        *("formula", "lambdify", "prove", "enclose", "enclose_maximum", "recheck"),
+        *("Formula", "Verdict"),
+    ),
+    "What is given back": ("Extremum", "Region"),
+}
+
+_OTHERS = "More"
+
+_SPELT = {"delay": "d", "omega": "omega_hat"}
+"""Arguments that are not spelt as their symbol."""
+
+SETTINGS = {
+    "autodoc_typehints": "none",
+    "autodoc_member_order": "bysource",
+    "autodoc_inherit_docstrings": False,
+    "nitpick_ignore_regex": [("py:.*", r"(?!symhaptic\.)\w+")],  # of Python itself
+}
+"""Sphinx's."""
+
+
+def page(known: Collection[str]) -> str:
+    """The page of all names; those that no group has come last.
+
+    ``known`` are the names of trees, of which each stands below what autodoc writes.
+    """
+    grouped = {name for names in GROUPS.values() for name in names}
+    groups = {**GROUPS, _OTHERS: tuple(name for name in PUBLIC if name not in grouped)}
+    out = [".. _reference:", "", *_heading("Every name", "=")]
+    out += [
+        "All are imported from ``symhaptic``. Numbers are dimensionless, in the parameters of "
+        "Table I, where they are Greek: :math:`\\alpha=KT^2/m`, :math:`\\beta=BT/m`, "
+        ":math:`\\gamma=kT^2/m`, :math:`\\delta=bT/m`; a delay is in periods.",
+        "",
+        ".. currentmodule:: symhaptic",
+        "",
+    ]
+    for title, names in groups.items():
+        out += _heading(title, "-") if names else []
+        for name in names:
+            if name in PUBLIC:
+                out += _entry(name)
+                out += [f".. tree:: {PREFIX}{name}", ""] if PREFIX + name in known else []
+    return "\n".join(out) + "\n"
+
+
+def _heading(title: str, mark: str) -> list[str]:
+    return [title, mark * len(title), ""]
+
+
+def _entry(name: str) -> list[str]:
+    thing = getattr(symhaptic, name)
+    if not inspect.isclass(thing):
+        return [*_heading(f"``{name}``", "~"), f".. autofunction:: {name}", ""]
+    ours = thing.__base__.__module__.startswith("symhaptic")
+    inherited = ["   :inherited-members: object"] if ours else []
+    return [f".. autoclass:: {name}", "   :members:", *inherited, ""]
+
+
+def trees() -> dict[str, nodes.container]:
+    """What stands below each docstring, by names that no chapter can have."""
+    return {PREFIX + name: found for name in PUBLIC if (found := beside(name))}
+
+
+def beside(name: str) -> nodes.container | None:
+    """What stands below a docstring: arguments, formula and the first picture that it makes."""
+    thing = getattr(symhaptic, name)
+    blocks: list[nodes.Node] = [] if inspect.isclass(thing) else [*_arguments(thing)]
+    for id in () if inspect.isclass(thing) else STATEMENTS.get(name, ()):
+        number = led("statement", id, f"({id.removeprefix('eq')})")
+        blocks.append(paragraph("In the paper it is ", number, ", as printed:"))
+        blocks.append(display(PRINTED[id].latex))
+    for path in gallery.shows(name)[:1]:
+        place = led(gallery.NAME, path.stem, "In the gallery")
+        blocks.append(gallery.picture(path, place))
+    return container("beside", *blocks) if blocks else None
+
+
+def _arguments(function: Any) -> list[nodes.table]:
+    """Symbol, unit and domain of each argument that is a symbol of the notation."""
+    rows: list[list[Part]] = [["argument", "symbol", "unit", "domain", "meaning"]]
+    for name in inspect.signature(function).parameters:
+        known = SYMBOLS.get(_SPELT.get(name, name))
+        if known is not None and function.__module__.startswith("symhaptic.numeric"):
+            shown = nodes.literal("", name), math(known.latex)
+            meaning = pages.plain(known.meaning)
+            rows.append([*shown, known.unit, known.domain, meaning])
+    return [table("arguments", rows)] if rows[1:] else []
+
+
+_LETTER = r"(?:alpha|beta|gamma|delta|[A-Za-z])(?:_[A-Za-z])?"
+_TERM = rf"{_LETTER}(?: [A-Za-z](?:\^2)?)?/[A-Za-z](?:_[A-Za-z]|\^2)?"
+_SYMBOL = re.compile(
+    rf"(?<![\w.])(?:{_LETTER} = {_TERM}|[A-Za-z]_[A-Za-z](?:/[A-Za-z](?:_[A-Za-z])?)?)(?![\w/^(*])"
+    r"(?P<room>  +)?"
+)
+"""A letter with another at its foot, and what is equal to a quotient of letters."""
+
+
+def mathematics(text: str) -> str:
+    r"""Symbols that a docstring has as plain text, as formulas; literals and examples stay.
+
+    Columns of a table stay below each other.
+
+    >>> mathematics("d = t_d/T, ``t_d`` of t_d in s")
+    ':math:`d = t_d/T`, ``t_d`` of :math:`t_d` in s'
+    >>> mathematics("t_d            s")
+    ':math:`t_d`    s'
+    """
+    parts = re.split(
+        r"(:\w+:`[^`]*`|``[^`]*``|`[^`]*`|>>> .*?(?:\n\s*\n|$))", text, flags=re.DOTALL
+    )
+    return "".join(p if at % 2 else _SYMBOL.sub(_as_formula, p) for at, p in enumerate(parts))
+
+
+def _as_formula(found: re.Match[str]) -> str:
+    plain = found[0].rstrip()
+    tex = re.sub(r"alpha|beta|gamma|delta", lambda name: rf"\{name[0]}", plain)
+    role = f":math:`{tex}`"
+    return role.ljust(len(found[0])) if found["room"] else role
+
+
+def processed(app: Any, what: str, name: str, of: Any, options: Any, lines: list[str]) -> None:
+    """Put formulas into a docstring, for autodoc."""
+    lines[:] = mathematics("\n".join(lines)).split("\n")

@@ -1,1 +1,0 @@
-"""Chapters, book, figures and their PDF.  Knows layout, no mathematics."""
