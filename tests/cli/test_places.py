@@ -261,7 +261,8 @@ def test_what_has_no_effect_on_a_list_of_statements_is_refused(option, tmp_path)
 )
 def test_a_place_where_nothing_can_be_written_is_refused_before_the_work(asked, tmp_path):
     mine = tmp_path / "mine.py"
-    mine.write_text(f"\"\"\"A title.\"\"\"\nopen({str(tmp_path / 'run')!r}, 'w')\n\ndef derive(page): ...\n")
+    run = f"open({str(tmp_path / 'run')!r}, 'w')"
+    mine.write_text(f'"""A title."""\n{run}\n\ndef derive(page): ...\n')
     run = symhaptic(*asked.split(), "-o", "/proc/out", cwd=tmp_path)
     assert (run.returncode, run.stdout) == (2, "")
     assert run.stderr.startswith("symhaptic: error: -o /proc/out: cannot write there (")
