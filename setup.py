@@ -4,6 +4,7 @@ The extension is optional: where no compiler is found the package is installed w
 everything runs on the kernels for arrays of any library.
 """
 
+import re
 import shutil
 from pathlib import Path
 
@@ -19,6 +20,13 @@ LIBRARIES = "haptic", "haptic_single"
 
 RECORDS = ("ledger.json", "rocq.json", "mutants.json", "bench.json")
 PAGES = ("CONTRIBUTING.md", "CHANGELOG.md")
+LINK = re.compile(r"(!?)\[([^\]]*)\]\((?!https?:)([^)]*)\)")
+
+
+def described() -> str:
+    """Return the README as an index shows it, where no file lies beside it: names, not links."""
+    text = (HERE / "README.md").read_text(encoding="utf-8")
+    return LINK.sub(lambda link: "" if link[1] else f"{link[2]} (`{link[3]}`)", text)
 
 
 class WithData(build_py):
@@ -62,6 +70,8 @@ class Exact(build_ext):
 
 
 setup(
+    long_description=described(),
+    long_description_content_type="text/markdown",
     cmdclass={"build_py": WithData, "build_ext": Exact},
     ext_modules=[
         Extension(

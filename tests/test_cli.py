@@ -51,13 +51,6 @@ def chapter(folder: Path, text: str, name: str = "my.py") -> Path:
     return path
 
 
-@pytest.mark.ci
-def test_a_strict_run_of_all_statements_from_nothing(tmp_path):
-    """Each chapter in a process that has run nothing before; test_verified.py has the rest."""
-    run = started("verify", "--strict", "--format", "json", "-o", tmp_path / "ledger.json")
-    assert run.returncode == 0, run.stdout + run.stderr
-
-
 def test_selected_ids_only():
     run = symhaptic("verify", "eq1", "eq8")
     assert run.returncode == 0

@@ -1,6 +1,10 @@
 """A command that is killed leaves no process, no temporary folder and no draft."""
 
 import os
+import random
+import re
+import shlex
+import shutil
 import signal
 import subprocess
 import sys
@@ -18,6 +22,7 @@ pytestmark = [
 ]
 
 HOME = Path(book.__file__).parents[2]
+GUIDE = Path(__file__).parents[2] / "CONTRIBUTING.md"
 
 SWEEP = """
 import sys, time
@@ -135,3 +140,135 @@ def test_nothing_is_left(kind, number, tmp_path):
     if KINDS[kind][0] == "-m" and number != signal.SIGKILL:
         assert said == "symhaptic: interrupted\n"
         assert process.returncode == 128 + number
+
+
+MINE = """
+import sys, time
+for line in sys.stdin:
+    beta, delta, d = map(float.fromhex, line.split())
+    print((beta + delta)/(d + 0.5), flush=True)
+"""
+
+DEVICE = 'mass = "72 g"\ndamping = "5 Ns/m"\nsampling_period = "1 ms"\ndelay = "1 ms"\n'
+
+STORED = """
+import numpy as np
+from symhaptic import sweep
+
+if __name__ == "__main__":
+    given = {"beta": np.linspace(0.1, 1.0, 400), "gamma": 0.0, "delta": 0.0, "delay": 1}
+    sweep("is_stable", alpha=np.linspace(0.1, 1.0, 400), **given, chunks=100, to="stable.zarr",
+          on="processes", workers=2)
+"""
+
+LONG = {
+    "report": "-m symhaptic report --chapter s2a_device --standalone --format pdf -o made",
+    "site": "-m symhaptic report --source notes --standalone --format html -o made",
+    "verify": "-m symhaptic verify eq5 eq11 eq12 --workers 2 -o verdicts.txt",
+    "mutants": "-m symhaptic mutants --source notes -o mutants.json",
+    "sweep": "stored.py",
+    "bench": "-m symhaptic bench --quick -o bench",
+    "check": "-m symhaptic check --formula linear_limit --command 'python3 mine.py' -o checked",
+    "limits": "-m symhaptic limits device.toml -o walls.svg",
+    "export": "-m symhaptic export is_stable max_stable_stiffness --target c -o made",
+}
+"""Commands that take a second or more, each of which writes a result."""
+
+INTERRUPTED = "symhaptic: interrupted\n"
+VARY = {"bench", "check"}
+"""Commands that print how long they took."""
+
+KILLS = int(os.environ.get("SYMHAPTIC_KILLS", "3"))
+"""How often each of them is killed at a random moment, by each signal in turn."""
+
+
+def contents(folder):
+    """All files of a folder with what they hold, and the folders in it."""
+    return {
+        str(path.relative_to(folder)): path.read_bytes() if path.is_file() else None
+        for path in folder.rglob("*")
+        if "__pycache__" not in path.parts
+    }
+
+
+@pytest.fixture
+def used(tmp_path):
+    """A folder with what the commands read, beside an empty one for what is temporary."""
+    here = tmp_path / "here"
+    for folder in (here, tmp_path / "tmp", here / "notes"):
+        folder.mkdir()
+    blocks = re.findall(r"```python\n(.*?)```", GUIDE.read_text(encoding="utf-8"), re.DOTALL)
+    first = next(i for i, block in enumerate(blocks) if block.startswith("# source.py"))
+    texts = {"mine.py": MINE, "device.toml": DEVICE, "stored.py": STORED}
+    texts |= {"notes/source.py": blocks[first], "notes/drift.py": blocks[first + 1]}
+    for name, text in texts.items():
+        (here / name).write_text(text, encoding="utf-8")
+    return here
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", LONG)
+def test_nothing_is_lost_or_left_at_any_moment(kind, used):
+    """After a kill each file is as it was before, or as a whole run writes it.
+
+    Half of the kills come over the results of a whole run, half where nothing is yet.
+    """
+    mark, temporary = f"symhaptic-{uuid4()}", used.parent / "tmp"
+    variables = os.environ | {"PYTHONPATH": str(HOME), "TMPDIR": str(temporary), "MARK": mark}
+    command = [sys.executable, *shlex.split(LONG[kind])]
+
+    def begun():
+        return subprocess.Popen(
+            command, cwd=used, env=variables, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+            text=True,
+        )  # fmt: skip
+
+    given = contents(used)
+    begin = time.monotonic()
+    with begun() as process:
+        said = process.stderr.read()
+    assert process.returncode == 0, said
+    took = time.monotonic() - begin
+    whole = contents(used)
+    shutil.copytree(used, used.parent / "whole")
+    chance = random.Random(kind)
+    for i in range(KILLS):
+        number = (signal.SIGTERM, signal.SIGKILL, signal.SIGINT)[i % 3]
+        moment = chance.uniform(0, took)
+        for name in whole.keys() - given.keys():
+            if (used / name).is_file():
+                (used / name).unlink()
+        for name in sorted(whole.keys() - given.keys(), reverse=True):
+            if (used / name).is_dir():
+                (used / name).rmdir()
+        if chance.random() < 0.5:
+            shutil.copytree(used.parent / "whole", used, dirs_exist_ok=True)
+        before = contents(used)
+        process = begun()
+        time.sleep(moment)
+        process.send_signal(number)
+        _, said = process.communicate(timeout=60)
+        until = time.monotonic() + 10
+        while alive(mark) and time.monotonic() < until:
+            time.sleep(0.05)
+        what = f"kill {i} of {kind} by {number.name} after {moment:.3f} of {took:.1f} s\n{said}"
+        assert "Traceback" not in said or (kind == "sweep" and number == signal.SIGINT), what
+        assert alive(mark) == [], what
+        assert os.listdir(temporary) == [], what
+        found = contents(used)
+        assert before.keys() <= found.keys(), what
+        if kind != "sweep":
+            assert found.keys() <= whole.keys(), what
+            folders = [path for path in used.rglob("*") if path.is_dir()]
+            assert all(any(folder.iterdir()) for folder in folders), what
+            if process.returncode > 0:  # less than 0 where Python itself begins or ends
+                assert process.returncode == 128 + number, what
+                assert said.splitlines(keepends=True)[-1] == INTERRUPTED, what
+        if kind not in ("sweep", *VARY):
+            assert all(found[name] == whole[name] for name in found), what
+    with begun() as process:  # a sweep goes on, all others begin anew
+        said = process.stderr.read()
+    assert process.returncode == 0, said
+    found = contents(used)
+    assert found.keys() == whole.keys()
+    assert kind in VARY or found == whole

@@ -375,3 +375,12 @@ def test_a_device_is_not_written_over(device):
     assert done.returncode == 2
     assert done.stderr.endswith(": is what is read here; another file is allowed\n")
     assert place.read_text() == text
+
+
+@pytest.mark.parametrize("ending", ["svg", "pdf", "png"])
+def test_a_picture_has_the_same_bytes_each_time(ending, device, tmp_path):
+    pytest.importorskip("matplotlib")
+    pictures = [tmp_path / f"{name}.{ending}" for name in "ab"]
+    for picture in pictures:
+        assert symhaptic("limits", device, "-o", picture).returncode == 0
+    assert pictures[0].read_bytes() == pictures[1].read_bytes()

@@ -280,3 +280,28 @@ def test_what_has_no_effect_on_a_list_of_statements_is_refused(option, tmp_path)
     assert (run.returncode, run.stdout) == (2, "")
     assert f"{' '.join(option)}: has no effect on what --list prints" in run.stderr
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.skipif(not Path("/proc/self").exists(), reason="no folder here that nobody can write")
+@pytest.mark.parametrize(
+    "asked",
+    [
+        "verify --derivation mine.py",
+        "mutants --derivation mine.py",
+        "check --formula eq11 --python mine:f",
+    ],
+)
+def test_a_place_where_nothing_can_be_written_is_refused_before_the_work(asked, tmp_path):
+    mine = tmp_path / "mine.py"
+    run = f"open({str(tmp_path / 'run')!r}, 'w')"
+    mine.write_text(f'"""A title."""\n{run}\n\ndef derive(page): ...\n')
+    run = symhaptic(*asked.split(), "-o", "/proc/out", cwd=tmp_path)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert run.stderr.startswith("symhaptic: error: -o /proc/out: cannot write there (")
+    assert list(tmp_path.iterdir()) == [mine]
+
+
+def test_a_result_may_have_the_longest_name_there_is(tmp_path):
+    name = 250 * "x" + ".json"
+    assert symhaptic("jury", "0", "-o", name, cwd=tmp_path).returncode == 0
+    assert [path.name for path in tmp_path.iterdir()] == [name]

@@ -116,7 +116,7 @@ def asked(
 
 
 def picture(found: Device, safe: SafeWalls | None, format: LimitsFormat) -> bytes:
-    """Picture of the walls of a device, of the proved ones if there are any."""
+    """Draw the walls of a device, of the proved ones if there are any; the bytes never change."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -131,7 +131,10 @@ def picture(found: Device, safe: SafeWalls | None, format: LimitsFormat) -> byte
     else:
         draw_safe(axes, safe, found.wall)
     drawn = BytesIO()
-    figure.savefig(drawn, format=format, dpi=150)
+    dated = {"svg": "Date", "pdf": "CreationDate"}
+    metadata = {dated[format]: None} if format in dated else {}
+    with pyplot.rc_context({"svg.hashsalt": "symhaptic"}):
+        figure.savefig(drawn, format=format, dpi=150, metadata=metadata)
     return drawn.getvalue()
 
 

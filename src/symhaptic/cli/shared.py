@@ -54,10 +54,19 @@ def can_draw(option: str) -> None:
 
 
 def writable(output: Path | None) -> None:
-    """Say before the work is done that its result has no place."""
-    if output is not None and (output.is_dir() or not output.parent.is_dir()):
+    """Say before the work is done that its result has no place; only writing shows it."""
+    if output is None:
+        return
+    if output.is_dir() or not output.parent.is_dir():
         reason = "Is a directory" if output.is_dir() else "No such file or directory"
         unwritable(output, reason)
+    if output.exists() and not output.is_file():  # a device or a pipe has no draft beside it
+        return
+    try:
+        with TemporaryFile(dir=output.resolve().parent):
+            pass
+    except OSError as wrong:
+        unwritable(output, wrong.strerror)
 
 
 def only_listed(**given: object) -> None:
