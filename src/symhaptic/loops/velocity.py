@@ -132,7 +132,7 @@ class LowPass(Velocity):
     >>> LowPass(weight=0.25).pole(period=0.001)
     0.75
     >>> round(LowPass(cutoff=50).pole(period=0.00035), 6)  # tau = 3.183 ms
-    0.900939
+    0.900937
     """
 
     cutoff: float | None = None
