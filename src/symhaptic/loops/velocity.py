@@ -17,19 +17,22 @@ from symhaptic.notation.quantities import number, shown
 
 
 class Ratio(NamedTuple):
-    """A quotient of polynomials in w = z - 1."""
+    """numerator/(z^late denominator), with polynomials in w = z - 1."""
 
     numerator: Polynomial
     denominator: Polynomial
+    late: int = 0
 
     def times(self, other: Ratio) -> Ratio:
         """The product, nothing cancelled."""
         return Ratio(
-            product(self.numerator, other.numerator), product(self.denominator, other.denominator)
+            product(self.numerator, other.numerator),
+            product(self.denominator, other.denominator),
+            self.late + other.late,
         )
 
 
-DIFFERENCE = Ratio((0, 1), (1, 1))
+DIFFERENCE = Ratio((0, 1), (1,), 1)
 """1 - 1/z, the difference of two samples."""
 
 
@@ -44,7 +47,7 @@ def bilinear(tau: Number) -> Ratio:
 
 
 def backward_second_order(tau: Number, damping_ratio: Number) -> Ratio:
-    """1/(tau^2 s^2 + 2 D tau s + 1) with s = 1 - 1/z, times z^2 above and below."""
+    """1/(tau^2 s^2 + 2 D tau s + 1) with s = 1 - 1/z; both times z^2."""
     z, middle = (1, 1), 2 * damping_ratio * tau
     below = total(scaled(tau**2, (0, 0, 1)), scaled(middle, product((0, 1), z)))
     return Ratio(product(z, z), total(below, product(z, z)))
@@ -62,7 +65,7 @@ def average(samples: int) -> Ratio:
     above: Polynomial = ()
     for each in range(samples):
         above = total(above, power_of_z(each))
-    return Ratio(above, scaled(samples, power_of_z(samples - 1)))
+    return Ratio(above, (samples,), samples - 1)
 
 
 class Velocity:
@@ -202,7 +205,7 @@ class LowPass(Velocity):
             return Ratio((0, new), (new, 1))
         if self.mapping == "backward Euler":  # z^2 over z: one z is left
             return Ratio((0, 1, 1), below)
-        return Ratio(product((0, 1), above), product((1, 1), below))
+        return DIFFERENCE.times(Ratio(above, below))
 
     @property
     def words(self) -> str:
@@ -299,11 +302,9 @@ class Filter(Velocity):
             )
 
     def ratio(self, period: float) -> Ratio:
-        size = max(len(self.numerator), len(self.denominator)) - 1
-        above, below = (
-            _of_delays(each, size) for each in (self.numerator, self.denominator)
-        )
-        return DIFFERENCE.times(Ratio(above, below))
+        more = len(self.numerator) - len(self.denominator)
+        above = _of_delays(self.numerator, max(0, -more))
+        return DIFFERENCE.times(Ratio(above, _of_delays(self.denominator, 0), max(0, more)))
 
     @property
     def words(self) -> str:
@@ -314,11 +315,11 @@ _TERMS = 7
 """Coefficients of a filter; of longer ones powers of z - 1 lose digits."""
 
 
-def _of_delays(coefficients: Sequence[float], size: int) -> Polynomial:
-    """c_0 z^n + c_1 z^(n-1) + ... in powers of w."""
+def _of_delays(coefficients: Sequence[float], more: int) -> Polynomial:
+    """(c_0 z^n + ... + c_n) z^more in powers of w."""
     found: Polynomial = ()
-    for place, each in enumerate(coefficients):
-        found = total(found, scaled(each, power_of_z(size - place)))
+    for power, each in enumerate(reversed(coefficients), more):
+        found = total(found, scaled(each, power_of_z(power)))
     return found
 
 
