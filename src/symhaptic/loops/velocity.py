@@ -197,15 +197,15 @@ class LowPass(Velocity):
         tau = self.tau(period)
         if self.order == 2:
             make = bilinear_second_order if self.mapping == "Tustin" else backward_second_order
-            above, below = make(tau, self.damping_ratio)
+            filtered = make(tau, self.damping_ratio)
         elif self.mapping == "Tustin":
-            above, below = bilinear(tau)
+            filtered = bilinear(tau)
         else:  # the filter's z cancels the z of the difference
             new = -math.expm1(-1 / tau) if self.mapping == "exact pole" and tau else 1 / (1 + tau)
             return Ratio((0, new), (new, 1))
         if self.mapping == "backward Euler":  # z^2 over z: one z is left
-            return Ratio((0, 1, 1), below)
-        return DIFFERENCE.times(Ratio(above, below))
+            return Ratio((0, 1, 1), filtered.denominator)
+        return DIFFERENCE.times(filtered)
 
     @property
     def words(self) -> str:
