@@ -1,0 +1,230 @@
+"""The questions that may be asked of any loop, without units: alpha, beta and periods."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symhaptic.loops import count
+from symhaptic.loops.circle import Array, point, real_roots, squared, value
+from symhaptic.loops.loop import Loop, closed
+from symhaptic.loops.passive import Needs
+from symhaptic.loops.plant import (
+    Plant,
+    Sampled,
+    explicit_euler,
+    held,
+    moving_mass,
+    semi_implicit_euler,
+)
+from symhaptic.loops.trace import LONGEST, Trace
+from symhaptic.loops.velocity import Measured, Velocity
+
+STEPS = {
+    "hold": held,
+    "semi-implicit Euler": semi_implicit_euler,
+    "explicit Euler": explicit_euler,
+}
+"""How the device moves from one sample to the next."""
+
+_BLOCK = 4096
+"""So many walls are counted at a time: their arrays stay in the processor's cache."""
+
+
+class Part(Protocol):
+    """What changes the device: an actuator before it, a mass behind it."""
+
+    def before(self, plant: Plant, mass: float, period: float) -> Plant:
+        """The plant with this part."""
+
+
+@dataclass(frozen=True)
+class Engine:
+    """One loop of a device, its parts and its delay."""
+
+    gamma: float
+    delta: float
+    delay: float
+    """In sampling periods."""
+    mass: float
+    """In kg; parts have theirs in SI units."""
+    period: float
+    velocity: Velocity
+    parts: tuple[Part, ...] = ()
+    integrator: str = "hold"
+    virtual_mass: float = 0.0
+    """Of the wall, in kg."""
+
+    @property
+    def plant(self) -> Plant:
+        """The device with its parts."""
+        found = moving_mass(-0.0 + self.gamma, self.delta)
+        for part in self.parts:
+            found = part.before(found, self.mass, self.period)
+        return found
+
+    def at_delay(self, delay: Array | float) -> Loop:
+        """The loop at one delay, or at each of an array of them."""
+        whole = np.floor(delay)
+        if self.integrator == "hold":
+            sampled: Sampled = held(self.plant, delay - whole)
+        elif np.any(delay != whole):
+            raise ValueError(
+                f"delay: of {delay!r} periods is not allowed with integrator={self.integrator!r}; "
+                "give whole periods: a simulator has no time between its steps"
+            )
+        else:
+            sampled = STEPS[self.integrator](self.plant)
+        return closed(
+            sampled,
+            np.asarray(whole, dtype=np.int64),
+            self.velocity,
+            self.period,
+            self.virtual_mass / self.mass,
+        )
+
+    @cached_property
+    def loop(self) -> Loop:
+        """At the delay of the scene."""
+        return self.at_delay(self.delay)
+
+    @cached_property
+    def trace(self) -> Trace:
+        """The boundary of the stable walls."""
+        return Trace(self.loop)
+
+    @cached_property
+    def needs(self) -> Needs:
+        """What walls need of the device's damping, where (4) tells it."""
+        for given, why in (
+            (self.integrator != "hold", f"integrator={self.integrator!r}: a simulator is no device"),
+            (bool(self.parts), "actuator or structure: (4) is of a force that acts at once"),
+            (isinstance(self.velocity, Measured), "velocity=Measured(): (4) is of positions alone"),
+            (self.delay != math.floor(self.delay), "delay: (4) is of whole periods with a filter"),
+        ):
+            if given:
+                raise ValueError(f"{why}; ask for stability instead")
+        return Needs(
+            self.velocity, math.floor(self.delay), self.period, self.virtual_mass / self.mass
+        )
+
+    def is_stable(self, alpha: Array, beta: Array) -> NDArray[np.bool_]:
+        """Whether walls are stable; NaN is not."""
+        return np.asarray(self._each(count.is_stable, alpha, beta, bool))
+
+    def unstable_roots(self, alpha: Array, beta: Array) -> Array:
+        """Roots outside the unit circle or on it."""
+        return np.asarray(self._each(count.unstable_roots, alpha, beta, float))
+
+    def _each(self, function: object, alpha: Array, beta: Array, kind: type) -> Array:
+        alpha, beta = np.broadcast_arrays(np.asarray(alpha, float), np.asarray(beta, float))
+        found = np.zeros(alpha.size, dtype=kind)
+        if kind is float:
+            found[:] = np.nan
+        known = np.flatnonzero(np.isfinite(alpha.ravel()) & np.isfinite(beta.ravel()))
+        for start in range(0, len(known), _BLOCK):
+            here = known[start : start + _BLOCK]
+            found[here] = function(self.loop, alpha.ravel()[here], beta.ravel()[here])  # type: ignore[operator]
+        return found.reshape(alpha.shape)
+
+    def passivity_margin(self, alpha: Array, beta: Array) -> Array:
+        """The damping delta less what walls need; -inf for alpha < 0, NaN for NaN."""
+        alpha, beta = np.broadcast_arrays(np.asarray(alpha, float), np.asarray(beta, float))
+        K, B = alpha.ravel(), beta.ravel()
+        found = np.full(K.shape, np.nan)
+        known = np.flatnonzero(~np.isnan(K) & ~np.isnan(B))
+        for start in range(0, len(known), _BLOCK // 8):
+            here = known[start : start + _BLOCK // 8]
+            found[here] = self.delta - self.needs.required(K[here], B[here])[0]
+        return found.reshape(alpha.shape)
+
+    def is_passive(self, alpha: Array, beta: Array) -> NDArray[np.bool_]:
+        """Whether no motion of the device extracts energy; its margin is at least a last place."""
+        return np.asarray(self.passivity_margin(alpha, beta) >= -_LEAST * self.delta)
+
+    def stable_delays(
+        self, alpha: float, beta: float, first: float, last: float
+    ) -> list[tuple[float, float]]:
+        """The windows of the delay, in periods, in which a wall is stable.
+
+        From one cell of an eighth of a period to the next the angles of |A| = |W| move little; a
+        root is on the circle where the phase between both parts passes 0 at one of them.
+        """
+        grid = np.linspace(first, last, int(8 * (last - first)) + 2)
+        phase = self._phases(alpha, beta, grid)
+        one, two = phase[:-1], phase[1:]
+        with np.errstate(invalid="ignore"):
+            there = (one * two <= 0) & (np.abs(one - two) < 2.0)
+        cells, slots = np.nonzero(there)
+        low, high, left = grid[cells], grid[cells + 1], one[cells, slots] > 0
+        for _ in range(52):
+            middle = (low + high) / 2
+            now = self._phases(alpha, beta, middle)[np.arange(len(slots)), slots] > 0
+            low, high = np.where(now == left, middle, low), np.where(now == left, high, middle)
+        # where a pair of angles comes or goes no phase tells; the verdicts of the cells do
+        ends = np.unique(np.concatenate([grid[[0, -1]], (low + high) / 2, grid[1:-1]]))
+        middles = (ends[1:] + ends[:-1]) / 2
+        told = self._stable_at(alpha, beta, middles)
+        found: list[tuple[float, float]] = []
+        for start, end, stable in zip(ends[:-1], ends[1:], told, strict=True):
+            if stable and found and found[-1][1] == start:
+                found[-1] = (found[-1][0], float(end))
+            elif stable:
+                found.append((float(start), float(end)))
+        return found
+
+    def _stable_at(self, alpha: float, beta: float, delays: Array) -> NDArray[np.bool_]:
+        found = [
+            count.is_stable(self.at_delay(part), np.array(alpha), np.array(beta))
+            for part in np.array_split(delays, len(delays) // _BLOCK + 1)
+        ]
+        return np.concatenate(found)
+
+    def _phases(self, alpha: float, beta: float, delays: Array) -> Array:
+        """At each delay, the phase of -p's two parts at each angle where they are equal; or NaN."""
+        loop = self.at_delay(delays)
+        A = np.broadcast_to(loop.A, (*loop.M.shape, loop.A.shape[-1]))
+        W = np.broadcast_to(
+            loop.wall(np.array(alpha), np.array(beta)), (*loop.M.shape, loop.X.shape[-1])
+        )
+        size = max(A.shape[-1], W.shape[-1])
+        A, W = (np.pad(q, [(0, 0), (0, size - q.shape[-1])]) for q in (A, W))
+        x = real_roots(squared(A) - squared(W))
+        theta = 2 * np.arcsin(np.sqrt(np.clip(x, 0, 4)) / 2)
+        at = point(theta, False)
+        late = np.exp(1j * loop.M[..., None] * theta) * value(A[:, None, :], at)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            phase = np.angle(-late / value(W[:, None, :], at))
+        return np.where((x > 0) & (x < 4), phase, np.nan)
+
+    def max_delay(self, alpha: float, beta: float, first: float) -> float:
+        """The delay up to which a wall stays stable from ``first`` on; 0 if it is not there.
+
+        Infinite if no angle has |A| = |W| at any part of a period, because nothing can change.
+        """
+        if not self._stable_at(alpha, beta, np.array([first]))[0]:
+            return -math.inf
+        if np.isnan(self._phases(alpha, beta, np.linspace(0, 1, 64, endpoint=False))).all():
+            return math.inf
+        width, start = 4.0, first
+        while start < LONGEST:
+            windows = self.stable_delays(alpha, beta, start, start + width)
+            if not windows or windows[0][0] > start or windows[0][1] < start + width:
+                return windows[0][1] if windows and windows[0][0] == start else start
+            start, width = start + width, 2 * width
+        return math.nan
+
+
+_LEAST = 1e-12
+"""What a passive wall needs is told to about this part; the border itself counts as passive."""
+
+
+def parts_of(*given: Part | None) -> Sequence[Part]:
+    """Those that are there."""
+    return [each for each in given if each is not None]
