@@ -8,7 +8,7 @@ from __future__ import annotations
 import copy
 import math
 import warnings
-from dataclasses import dataclass, replace
+from dataclasses import InitVar, dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
 from numbers import Real
@@ -17,19 +17,33 @@ from typing import Any, Self, TypeVar
 from symhaptic.model.parts import Parts
 from symhaptic.notation.quantities import decimal, nearest, number, shown
 from symhaptic.notation.sizes import LARGEST, LONGEST, STIFFEST
-from symhaptic.scene.arms import UNITS as ARM_UNITS
-from symhaptic.scene.arms import Arm, Coupled, added, checked
+from symhaptic.notation.units import said
+from symhaptic.scene.arms import (
+    ROTARY,
+    Arm,
+    Coupled,
+    added,
+    checked,
+    mass_or_inertia,
+    one_of,
+    without_none,
+)
 from symhaptic.scene.dimensionless import Dimensionless, per_unit, units
 from symhaptic.scene.limit import Limit
 
 UNITS = {
     "mass": "kg",
+    "inertia": "kg",
     "sampling_period": "s",
     "damping": "N*s/m",
     "stiffness": "N/m",
     "delay": "s",
     "delay_samples": "",
 }
+"""Units for motion along a line; :meth:`DeviceLoop.unit` has those for rotation."""
+
+NOT_GIVEN: Any = None
+"""The default of a number that another one may replace."""
 
 _LONG = 100
 """A delay in s of more sampling periods than this is warned of."""
@@ -38,14 +52,18 @@ _WIDEST = 1e300
 """The largest unit of stiffness, and its inverse the smallest: beyond, no float holds a wall."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class DeviceLoop:
     """A device with its sampling period, its delay and its arm."""
 
-    mass: float
-    """m_D of the device in kg, > 0."""
-    sampling_period: float
+    mass: float | None = None
+    """m_D of the device in kg, > 0; ``None`` if it turns."""
+    inertia: float | None = None
+    """Moment of inertia of a rotary device in kg m^2, > 0, instead of the mass."""
+    sampling_period: float = NOT_GIVEN
     """T in s, > 0."""
+    sampling_rate: InitVar[float | None] = None
+    """1/T in Hz, > 0, instead of the sampling period, in which it is kept."""
     damping: float | None = None
     """b_D of the device in Ns/m, >= 0."""
     stiffness: float | None = None
@@ -57,19 +75,24 @@ class DeviceLoop:
     arm: Arm | None = None
     """The arm that holds the device."""
 
-    def __post_init__(self) -> None:
+    def __post_init__(self, sampling_rate: float | None) -> None:
+        one_of("mass", self.mass, "inertia", self.inertia)
+        one_of("sampling_period", self.sampling_period, "sampling_rate", sampling_rate)
+        if sampling_rate is not None:
+            rate = decimal(number("sampling_rate", sampling_rate, "Hz", "> 0"))
+            object.__setattr__(self, "sampling_period", nearest(1 / rate))
         for name, unit in UNITS.items():
             value = getattr(self, name)
-            least = "> 0" if name in ("mass", "sampling_period") else ">= 0"
-            if value is not None or least == "> 0":  # without these there is no loop
-                object.__setattr__(self, name, number(name, value, unit, least))
+            if value is not None:
+                least = "> 0" if name in ("mass", "inertia", "sampling_period") else ">= 0"
+                object.__setattr__(self, name, number(name, value, self.unit(unit), least))
         if self.delay is not None and self.delay_samples is not None:
             raise ValueError(
                 f"delay_samples: {self.delay_samples!r} beside delay={self.delay!r} is not "
                 "allowed; one of them is"
             )
         if self.arm is not None:
-            checked(self.arm)
+            checked(self.arm, self.rotary)
             for name, value in self.coupled._asdict().items():
                 number(name, value, UNITS[name], "> 0" if name == "mass" else ">= 0")
         if self.delay is not None and self.periods > _LONG:
@@ -78,6 +101,31 @@ class DeviceLoop:
                 f"a delay of {self.delay!r} periods is delay_samples={self.delay!r}",
                 stacklevel=3,
             )
+
+    def __repr__(self) -> str:
+        return without_none(self, "mass", "inertia")
+
+    @property
+    def rotary(self) -> bool:
+        """Whether the device turns; its units are then kg m^2, N m s/rad and N m/rad."""
+        return self.inertia is not None
+
+    @property
+    def mass_or_inertia(self) -> float:
+        """The mass of the device in kg, or its moment of inertia in kg m^2."""
+        return mass_or_inertia(self)
+
+    def unit(self, linear: str) -> str:
+        """The unit for this device that takes the place of one for motion along a line.
+
+        >>> DeviceLoop(inertia=1e-4, sampling_period=1e-3).unit("N/m")
+        'N*m/rad'
+        """
+        return ROTARY.get(linear, linear) if self.rotary else linear
+
+    def printed(self, linear: str) -> str:
+        """The same unit as it is printed."""
+        return said(self.unit(linear))
 
     @property
     def device(self) -> Self:
@@ -92,8 +140,9 @@ class DeviceLoop:
     def coupled(self) -> Coupled:
         """Mass, damping and stiffness of device and arm together; stability uses them, (2)."""
         if self.arm is None:
-            return Coupled(self.mass, self.damping, self.stiffness)
-        return Coupled(*(added(self.arm, name, getattr(self, name)) for name in ARM_UNITS))
+            return Coupled(self.mass_or_inertia, self.damping, self.stiffness)
+        own = Coupled(self.mass_or_inertia, self.damping, self.stiffness)
+        return Coupled(*(added(self.arm, name, part) for name, part in own._asdict().items()))
 
     @property
     def parts(self) -> Parts:
@@ -112,9 +161,11 @@ class DeviceLoop:
             return decimal(self.delay_samples)
         delay, period = self.delay or 0.0, self.sampling_period
         exact = decimal(delay) / decimal(period)
-        # 3 * 1e-4 is not the number that 3e-4 is, but it is what three periods are in floats
-        whole = Fraction(round(exact))
-        return whole if nearest(whole) * period == delay else exact
+        # 3 * 1e-4 is not the number that 3e-4 is, but it is what three periods are in floats; nor
+        # is a period of 1/3000 s exact, of which 7/3000 s are seven
+        whole, rate = Fraction(round(exact)), round(1 / decimal(period))
+        of_rate = rate and period == nearest(Fraction(1, rate)) and delay == nearest(whole / rate)
+        return whole if of_rate or nearest(whole) * period == delay else exact
 
     @property
     def dimensionless(self) -> Dimensionless:
@@ -133,7 +184,8 @@ class DeviceLoop:
     def limit(self, alpha: Any, beta: Any, theta: Any) -> Limit:
         """K = alpha m/T^2 in N/m, B = beta m/T in Ns/m, f = theta/(2 pi T) in Hz.
 
-        m is the mass of device and arm together.
+        m is the mass of device and arm together, or for a rotary device the moment of inertia; K
+        and B are then in N m/rad and N m s/rad.
 
         Raises
         ------
@@ -166,10 +218,12 @@ AnyLoop = TypeVar("AnyLoop", bound=DeviceLoop)
 def _dimensionless(loop: DeviceLoop) -> Dimensionless:
     moved = loop.coupled
     period, mass = decimal(loop.sampling_period), decimal(moved.mass)
+    heavy = f"{'inertia' if loop.rotary else 'mass'}={moved.mass!r}"
     if not all(1 / _WIDEST <= size <= _WIDEST for size in (period**2, mass / period**2)):
         raise ValueError(
-            f"sampling_period: {loop.sampling_period!r} with mass={moved.mass!r} is not allowed; "
-            f"give T^2 and m/T^2 from {1 / _WIDEST:g} to {_WIDEST:g}, in s^2 and N/m"
+            f"sampling_period: {loop.sampling_period!r} with {heavy} is not allowed; "
+            f"give T^2 and m/T^2 from {1 / _WIDEST:g} to {_WIDEST:g}, in s^2 and "
+            f"{loop.printed('N/m')}"
         )
     found = Dimensionless(
         gamma=nearest(decimal(moved.stiffness or 0) * period**2 / mass),
@@ -183,7 +237,7 @@ def _dimensionless(loop: DeviceLoop) -> Dimensionless:
         (late, getattr(loop, late), "t_d/T", found.delay, LONGEST),
     ):
         if value > most:
-            of = f"with mass={moved.mass!r} and sampling_period={loop.sampling_period!r}"
+            of = f"with {heavy} and sampling_period={loop.sampling_period!r}"
             given = f"{name}: {own!r} {of}"
             raise ValueError(f"{given} is not allowed; give {formula} <= {most:g}")
     return found
@@ -201,4 +255,8 @@ def together(loop: AnyLoop) -> AnyLoop:
 
     Only stability may be asked of it: passivity would count the arm's damping.
     """
-    return loop if loop.arm is None else replace(loop.device, **loop.coupled._asdict())
+    if loop.arm is None:
+        return loop
+    mass, damping, stiffness = loop.coupled
+    one = replace(loop.device, damping=damping, stiffness=stiffness)
+    return replace(one, inertia=mass) if loop.rotary else replace(one, mass=mass)

@@ -31,12 +31,23 @@ class Scene(DeviceLoop):
     (3).  A part that is left out (``None``) is not modelled.  Walls have the stiffness K in N/m and
     the damping B in Ns/m.
 
+    A rotary device has an ``inertia`` instead of a mass.  Then all stiffnesses are in N m/rad and
+    all dampings in N m s/rad, wherever the methods say N/m and Ns/m.
+
+    Numbers are in SI units.  Text has a number and a unit, such as ``"72 g"`` or ``"0.5 N*s/m"``.
+    SI symbols are read in any spelling, with prefixes, deg, turn and rpm; with Pint, all units that
+    it knows.
+
     Parameters
     ----------
-    mass : float
+    mass : float or str, optional
         m_D of the device in kg, > 0.
-    sampling_period : float
+    inertia : float or str, optional
+        Moment of inertia of a rotary device in kg m^2, > 0, instead of the mass.
+    sampling_period : float or str, optional
         T in s, > 0.
+    sampling_rate : float or str, optional
+        1/T in Hz, > 0, instead of the sampling period, in which it is kept.
     damping : float, optional
         Physical damping b_D of the device in Ns/m, >= 0, without the arm's.
     stiffness : float, optional
@@ -51,8 +62,9 @@ class Scene(DeviceLoop):
     Raises
     ------
     ValueError
-        If a mass or period is not positive, a damping, stiffness or delay is negative, two delays
-        are given, or a value is infinite, NaN, a truth value or of the wrong dimension.
+        If a mass, inertia, period or rate is not positive, a damping, stiffness or delay is
+        negative, two of such a pair or two delays are given, or a value is infinite, NaN, a truth
+        value or of the wrong dimension.
 
     Warns
     -----
@@ -73,6 +85,9 @@ class Scene(DeviceLoop):
     Dimensionless(gamma=0.0, delta=0.005, delay=1.0)
     >>> scene.parts.name
     'damping, virtual damping, delay'
+    >>> knob = Scene(inertia="2e-4 kg m^2", damping="1e-4 N m s/rad", sampling_rate="1 kHz")
+    >>> knob.is_stable(K="1 N m/deg", B="0.05 N m s/rad"), round(knob.max_passive_stiffness(), 9)
+    (True, 0.2)
     """
 
     @classmethod
@@ -142,7 +157,7 @@ class Scene(DeviceLoop):
                 f"arm: {shown(arm)} beside {self.arm!r} is not allowed; "
                 "use scene.device.held_by(...) for another arm"
             )
-        return replace(self, arm=checked(arm))
+        return replace(self, arm=checked(arm, self.rotary))
 
     def is_stable(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Whether walls of stiffness ``K`` (N/m) and damping ``B`` (Ns/m) are stable.
@@ -364,7 +379,7 @@ class Scene(DeviceLoop):
             raise ValueError(f"K: {K!r} with B={B!r} is not allowed; give both or none")
         wall = None
         if K is not None and B is not None:
-            wall = number("K", K, "N/m"), number("B", B, "N*s/m")
+            wall = number("K", K, self.unit("N/m")), number("B", B, self.unit("N*s/m"))
         axes = axes if axes is not None else new_axes("Scene.plot")
         draw(axes, self.held_by(arm) if arm else self, wall)
         return axes
@@ -406,6 +421,7 @@ class Scene(DeviceLoop):
         rtol: float,
         *,
         mass: float | tuple[float, float] | None = None,
+        inertia: float | tuple[float, float] | None = None,
         damping: float | tuple[float, float] | None = None,
         stiffness: float | tuple[float, float] | None = None,
         B: float | tuple[float, float] | None = None,
@@ -420,11 +436,11 @@ class Scene(DeviceLoop):
         grows with ``B``), the loop without spring and damper, without spring, without damper, and
         the full loop.
 
-        ``mass``, ``damping``, ``stiffness`` and ``B`` override the scene: a number, or a range
-        (lowest, highest) over which the bound holds.  Numbers count as the decimals that they print
-        as.  Bounds are proved by ball (interval) arithmetic, for integer delays.  A model without
-        a proof has an infinite bound, with the reason.  All parameters are those of device and
-        arm together.
+        ``mass`` or ``inertia``, ``damping``, ``stiffness`` and ``B`` override the scene: a number,
+        or a range (lowest, highest) over which the bound holds.  Numbers count as the decimals that
+        they print as.  Bounds are proved by ball (interval) arithmetic, for integer delays.  A
+        model without a proof has an infinite bound, with the reason.  All parameters are those of
+        device and arm together.
 
         Raises :class:`ValueError` for an ``rtol`` that is not > 0 and for an impossible range.
 
@@ -438,10 +454,13 @@ class Scene(DeviceLoop):
         """
         from symhaptic.bounds.simplest.choose import Loop, simplest
 
-        over = {"mass": mass, "damping": damping, "stiffness": stiffness, "B": B}
+        if (mass if self.rotary else inertia) is not None:
+            name, allowed = ("mass", "inertia") if self.rotary else ("inertia", "mass")
+            raise ValueError(f"{name}: is not allowed for this device; give its {allowed}")
+        over = {"mass": mass, "inertia": inertia, "damping": damping}
         m, b, k = self.coupled
-        loop = Loop(self.parts, self.periods, self.sampling_period, m, k, b)
-        return simplest(loop, rtol, over)
+        loop = Loop(self.parts, self.periods, self.sampling_period, m, k, b, self.unit)
+        return simplest(loop, rtol, {**over, "stiffness": stiffness, "B": B})
 
     def to_control(self) -> Any:
         """The sampled device with its arm and its delay, from N to m, for python-control.

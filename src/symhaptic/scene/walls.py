@@ -43,8 +43,8 @@ def is_passive(scene: DeviceLoop, K: Any, B: Any) -> Any:
 def passivity_margin(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """The damping of the device alone (3) in Ns/m minus the damping that a wall needs."""
     alone = scene.device
-    unit = units(alone.mass, alone.sampling_period)[1]
-    args = alone, alone.dimensionless[1:], K, B, float, unit, "N*s/m"
+    unit = units(alone.mass_or_inertia, alone.sampling_period)[1]
+    args = alone, alone.dimensionless[1:], K, B, float, unit, alone.unit("N*s/m")
     return _of_walls(passivity.passivity_margin, *args)
 
 
@@ -85,7 +85,8 @@ def _of_walls(
         found = function(K * stiff, B * damped, *loop)
         return found if kind is bool else found * size
 
-    found = _one(answer(in_unit("K", K, "N/m"), in_unit("B", B, "N*s/m")), kind)
+    walls = in_unit("K", K, scene.unit("N/m")), in_unit("B", B, scene.unit("N*s/m"))
+    found = _one(answer(*walls), kind)
     return with_unit(found, unit, K, B) if unit else found
 
 
@@ -110,7 +111,8 @@ def stability_boundary(scene: DeviceLoop, frequency_hz: Any) -> tuple[Any, Any]:
         return alpha * unit_K, beta * unit_B
 
     K, B = (_one(found, float) for found in answer(in_unit("frequency_hz", frequency_hz, "Hz")))
-    return with_unit(K, "N/m", frequency_hz), with_unit(B, "N*s/m", frequency_hz)
+    stiff, damped = scene.unit("N/m"), scene.unit("N*s/m")
+    return with_unit(K, stiff, frequency_hz), with_unit(B, damped, frequency_hz)
 
 
 def _one(found: Any, kind: type) -> Any:
@@ -120,13 +122,13 @@ def _one(found: Any, kind: type) -> Any:
 
 @dataclass(frozen=True)
 class StableWalls(Shape):
-    """The walls (K, B) that a scene keeps stable, in N/m and Ns/m."""
+    """The walls (K, B) that a scene keeps stable, in N/m and Ns/m, or N m/rad and N m s/rad."""
 
     scene: DeviceLoop
     region: tracing.Region
     """The same without units."""
     polygon: Any
-    """Shapely's polygon or polygons, in N/m and Ns/m; ``area`` is in N^2 s/m^2."""
+    """Shapely's polygon or polygons, in the units of the walls; ``area`` is in N^2 s/m^2."""
     corners: NDArray[np.float64] = field(compare=False)
     """One row (K, B) per corner."""
 
@@ -213,7 +215,7 @@ def limit_at(scene: DeviceLoop, B: Any) -> Limit:
         table = np.array([(one.K, one.frequency_hz) for one in found]).reshape(-1, 2).T
         return table.reshape(2, *damping.shape)
 
-    return _limits(rows, B)
+    return _limits(rows, B, scene)
 
 
 def passive_limit_at(scene: DeviceLoop, B: Any) -> Limit:
@@ -221,21 +223,24 @@ def passive_limit_at(scene: DeviceLoop, B: Any) -> Limit:
     scene = scene.device
     _, delta, delay = scene.dimensionless
     period = scene.sampling_period
-    _, scale = per_unit(scene.mass, period)
+    _, scale = per_unit(scene.mass_or_inertia, period)
 
     def rows(damping: NDArray[np.float64]) -> NDArray[np.float64]:
         beta = arguments.unitless("B", damping, damping * scale)
         alpha, _, theta = passivity.stiffest_passive_at(beta, delta, delay)
-        unit_K, _ = units(scene.mass, period)
+        unit_K, _ = units(scene.mass_or_inertia, period)
         return np.stack([alpha * unit_K, theta / (2 * math.pi * period)])
 
-    return _limits(rows, B)
+    return _limits(rows, B, scene)
 
 
-def _limits(rows: Callable[[NDArray[np.float64]], NDArray[np.float64]], B: Any) -> Limit:
+def _limits(
+    rows: Callable[[NDArray[np.float64]], NDArray[np.float64]], B: Any, scene: DeviceLoop
+) -> Limit:
     """K and the frequency at a damping, or at each of many, labelled as these are."""
+    stiff, damped = scene.unit("N/m"), scene.unit("N*s/m")
     if not (isinstance(B, list | tuple) or getattr(B, "ndim", None)):
-        one = number("B", B, "N*s/m")
+        one = number("B", B, damped)
         K, hz = rows(np.asarray(one))
         return Limit(float(K), one, float(hz))
 
@@ -249,8 +254,8 @@ def _limits(rows: Callable[[NDArray[np.float64]], NDArray[np.float64]], B: Any) 
         K, hz = given.by_numpy(finite, 2)
         return K, given.values[0], hz
 
-    K, damping, hz = answer(in_unit("B", B, "N*s/m"))
-    units = ((K, "N/m"), (damping, "N*s/m"), (hz, "Hz"))
+    K, damping, hz = answer(in_unit("B", B, damped))
+    units = ((K, stiff), (damping, damped), (hz, "Hz"))
     return Limit(*(with_unit(found, unit, B) for found, unit in units))
 
 
@@ -260,9 +265,10 @@ _STEP = 1e-4
 
 def sensitivity(scene: DeviceLoop, B: float | None = None) -> dict[str, float]:
     """Change of the stiffness limit in per cent for a 1 % increase of each parameter."""
-    arm: tuple[str, ...] = ("arm_mass", "arm_damping", "arm_stiffness") if scene.arm else ()
+    moved = "inertia" if scene.rotary else "mass", "damping", "stiffness"
+    arm = tuple(f"arm_{name}" for name in moved) if scene.arm else ()
     here, found = _limit(scene, B), {}
-    for name in ("mass", "damping", "stiffness", *arm, "sampling_period", "delay", "delay_samples"):
+    for name in (*moved, *arm, "sampling_period", "delay", "delay_samples"):
         owner = scene.arm if name in arm else scene
         value = getattr(owner, name.removeprefix("arm_"))
         if value:
