@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol
@@ -23,7 +22,7 @@ from symhaptic.loops.plant import (
     moving_mass,
     semi_implicit_euler,
 )
-from symhaptic.loops.trace import LONGEST, Trace
+from symhaptic.loops.trace import LONGEST, Trace, boundary
 from symhaptic.loops.velocity import Measured, Velocity
 
 STEPS = {
@@ -64,7 +63,7 @@ class Engine:
     @property
     def plant(self) -> Plant:
         """The device with its parts."""
-        found = moving_mass(-0.0 + self.gamma, self.delta)
+        found = moving_mass(self.gamma, self.delta)
         for part in self.parts:
             found = part.before(found, self.mass, self.period)
         return found
@@ -203,20 +202,49 @@ class Engine:
             phase = np.angle(-late / value(W[:, None, :], at))
         return np.where((x > 0) & (x < 4), phase, np.nan)
 
-    def max_delay(self, alpha: float, beta: float, first: float) -> float:
-        """The delay up to which a wall stays stable from ``first`` on; 0 if it is not there.
+    def stability_boundary(self, theta: Array) -> tuple[Array, Array]:
+        """alpha and beta of the walls with which the loop swings at these angles."""
+        return boundary(self.loop, np.asarray(theta, dtype=float))
+
+    def max_delay(self, alpha: Array, beta: Array) -> Array:
+        """The delays in periods up to which walls are stable; 0 for those that never are."""
+        return self._until(alpha, beta, 0.0, 0.0)
+
+    def delay_margin(self, alpha: Array, beta: Array) -> Array:
+        """The delays in periods that may be added until walls are unstable."""
+        return self._until(alpha, beta, self.delay, self.delay)
+
+    def _until(self, alpha: Array, beta: Array, first: float, less: float) -> Array:
+        alpha, beta = np.broadcast_arrays(np.asarray(alpha, float), np.asarray(beta, float))
+        if self.integrator != "hold":
+            raise ValueError(
+                f"integrator: {self.integrator!r} is not allowed for a margin of the delay; "
+                "a simulator has no time between its steps"
+            )
+        walls = zip(alpha.ravel(), beta.ravel(), strict=True)
+        found = [
+            self._stable_until(K, B, first) - less if math.isfinite(K) and math.isfinite(B)
+            else math.nan
+            for K, B in walls
+        ]
+        return np.array(found).reshape(alpha.shape)
+
+    def _stable_until(self, alpha: float, beta: float, first: float) -> float:
+        """The end of the window of delays that begins at ``first``, which is there if it is empty.
 
         Infinite if no angle has |A| = |W| at any part of a period, because nothing can change.
         """
         if not self._stable_at(alpha, beta, np.array([first]))[0]:
-            return -math.inf
+            return first
         if np.isnan(self._phases(alpha, beta, np.linspace(0, 1, 64, endpoint=False))).all():
             return math.inf
         width, start = 4.0, first
         while start < LONGEST:
             windows = self.stable_delays(alpha, beta, start, start + width)
-            if not windows or windows[0][0] > start or windows[0][1] < start + width:
-                return windows[0][1] if windows and windows[0][0] == start else start
+            if not windows or windows[0][0] > start:
+                return start
+            if windows[0][1] < start + width:
+                return windows[0][1]
             start, width = start + width, 2 * width
         return math.nan
 
@@ -224,7 +252,3 @@ class Engine:
 _LEAST = 1e-12
 """What a passive wall needs is told to about this part; the border itself counts as passive."""
 
-
-def parts_of(*given: Part | None) -> Sequence[Part]:
-    """Those that are there."""
-    return [each for each in given if each is not None]

@@ -14,6 +14,11 @@ from functools import lru_cache
 from numbers import Real
 from typing import Any, Self, TypeVar
 
+from symhaptic.loops.actuator import Lag
+from symhaptic.loops.engine import STEPS, Engine
+from symhaptic.loops.sensor import Encoder
+from symhaptic.loops.structure import SecondMass
+from symhaptic.loops.velocity import Difference, Velocity
 from symhaptic.model.parts import Parts
 from symhaptic.notation.quantities import decimal, nearest, number, shown
 from symhaptic.notation.sizes import LARGEST, LONGEST, STIFFEST
@@ -39,6 +44,8 @@ UNITS = {
     "stiffness": "N/m",
     "delay": "s",
     "delay_samples": "",
+    "virtual_mass": "kg",
+    "coulomb_friction": "N",
 }
 """Units for motion along a line; :meth:`DeviceLoop.unit` has those for rotation."""
 
@@ -74,6 +81,20 @@ class DeviceLoop:
     """d in sampling periods, >= 0, if the delay is not given in s."""
     arm: Arm | None = None
     """The arm that holds the device."""
+    velocity: Velocity | None = None
+    """What the wall takes for the velocity; the difference of two samples if left out."""
+    actuator: Lag | None = None
+    """What is between the command and the force."""
+    structure: SecondMass | None = None
+    """A second mass behind a spring."""
+    integrator: str = "hold"
+    """How the device moves: under held forces, or as a simulator moves it."""
+    virtual_mass: float | None = None
+    """M of the wall in kg, >= 0."""
+    encoder: Encoder | None = None
+    """The steps of the sensor."""
+    coulomb_friction: float | None = None
+    """f_c of the device in N, >= 0."""
 
     def __post_init__(self, sampling_rate: float | None) -> None:
         one_of("mass", self.mass, "inertia", self.inertia)
@@ -91,6 +112,18 @@ class DeviceLoop:
                 f"delay_samples: {self.delay_samples!r} beside delay={self.delay!r} is not "
                 "allowed; one of them is"
             )
+        for name, kind in _KINDS.items():
+            part = getattr(self, name)
+            if part is not None and not isinstance(part, kind):
+                raise ValueError(f"{name}: {shown(part)} is not allowed; give {_EXAMPLES[name]}")
+        if self.integrator not in STEPS:
+            allowed = ", ".join(map(repr, STEPS))
+            raise ValueError(f"integrator: {shown(self.integrator)} is not allowed; give {allowed}")
+        if self.integrator != "hold" and (self.actuator or self.structure):
+            raise ValueError(
+                f"integrator: {self.integrator!r} beside an actuator or a structure is not allowed; "
+                "a simulator moves one mass"
+            )
         if self.arm is not None:
             checked(self.arm, self.rotary)
             for name, value in self.coupled._asdict().items():
@@ -104,6 +137,31 @@ class DeviceLoop:
 
     def __repr__(self) -> str:
         return without_none(self, "mass", "inertia")
+
+    @property
+    def further(self) -> tuple[str, ...]:
+        """Names of the parts that the paper's loop does not have, in the order of the loop."""
+        there = {
+            "velocity": self.velocity not in (None, Difference()),
+            "actuator": self.actuator is not None,
+            "structure": self.structure is not None,
+            "integrator": self.integrator != "hold",
+            "virtual_mass": bool(self.virtual_mass),
+        }
+        return tuple(name for name, is_there in there.items() if is_there)
+
+    def refuse_further(self, question: str) -> None:
+        """Raise :class:`ValueError` if the loop has parts for which a question has no answer."""
+        for name in self.further:
+            raise ValueError(
+                f"{name}: {shown(getattr(self, name))} is not allowed for {question}; "
+                f"leave out {name}"
+            )
+
+    @property
+    def engine(self) -> Engine:
+        """What answers for a loop with further parts; device and arm together."""
+        return _engine(self)
 
     @property
     def rotary(self) -> bool:
@@ -241,6 +299,37 @@ def _dimensionless(loop: DeviceLoop) -> Dimensionless:
             given = f"{name}: {own!r} {of}"
             raise ValueError(f"{given} is not allowed; give {formula} <= {most:g}")
     return found
+
+
+_KINDS: dict[str, type] = {
+    "velocity": Velocity,
+    "actuator": Lag,
+    "structure": SecondMass,
+    "encoder": Encoder,
+}
+
+_EXAMPLES = {
+    "velocity": 'a velocity such as LowPass(cutoff="50 Hz")',
+    "actuator": 'Lag(time_constant="1 ms")',
+    "structure": 'SecondMass(mass="20 g", stiffness="20 N/mm")',
+    "encoder": 'Encoder(resolution="20 um")',
+}
+
+
+@lru_cache(maxsize=256)
+def _engine(loop: DeviceLoop) -> Engine:
+    gamma, delta, delay = loop.dimensionless
+    return Engine(
+        gamma,
+        delta,
+        delay,
+        loop.coupled.mass,
+        loop.sampling_period,
+        loop.velocity or Difference(),
+        tuple(part for part in (loop.structure, loop.actuator) if part is not None),
+        loop.integrator,
+        loop.virtual_mass or 0.0,
+    )
 
 
 @lru_cache(maxsize=256)

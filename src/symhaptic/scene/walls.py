@@ -31,12 +31,16 @@ if TYPE_CHECKING:
 
 def is_stable(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """Whether all characteristic roots lie inside the unit circle."""
+    if scene.further:
+        return _of_walls(scene.engine.is_stable, scene, (), K, B, bool)
     return _of_walls(stability.is_stable, scene, scene.dimensionless, K, B, bool)
 
 
 def is_passive(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """Whether no motion extracts energy, by the damping of the device alone (3)."""
     alone = scene.device
+    if scene.further:
+        return _of_walls(alone.engine.is_passive, alone, (), K, B, bool)
     return _of_walls(passivity.is_passive, alone, alone.dimensionless[1:], K, B, bool)
 
 
@@ -44,18 +48,27 @@ def passivity_margin(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """The damping of the device alone (3) in Ns/m minus the damping that a wall needs."""
     alone = scene.device
     unit = units(alone.mass_or_inertia, alone.sampling_period)[1]
-    args = alone, alone.dimensionless[1:], K, B, float, unit, alone.unit("N*s/m")
-    return _of_walls(passivity.passivity_margin, *args)
+    ask: Callable[..., Any] = passivity.passivity_margin
+    loop: tuple[float, ...] = alone.dimensionless[1:]
+    if scene.further:
+        ask, loop = alone.engine.passivity_margin, ()
+    return _of_walls(ask, alone, loop, K, B, float, unit, alone.unit("N*s/m"))
 
 
 def max_delay(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """The largest delay in s up to which a wall is stable."""
+    if scene.further:
+        args = scene, (), K, B, float, scene.sampling_period, "s"
+        return _of_walls(scene.engine.max_delay, *args)
     args = scene, scene.dimensionless[:2], K, B, float, scene.sampling_period, "s"
     return _of_walls(margin.max_delay, *args)
 
 
 def delay_margin(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """The delay in s that may be added until a wall is unstable."""
+    if scene.further:
+        args = scene, (), K, B, float, scene.sampling_period, "s"
+        return _of_walls(scene.engine.delay_margin, *args)
     args = scene, scene.dimensionless, K, B, float, scene.sampling_period, "s"
     return _of_walls(margin.delay_margin, *args)
 
@@ -107,7 +120,11 @@ def stability_boundary(scene: DeviceLoop, frequency_hz: Any) -> tuple[Any, Any]:
         if not given.traced:
             beyond = (hz <= 0) | (2 * math.pi * period * hz >= math.pi)
             arguments.refuse("frequency_hz", hz, beyond, f"numbers 0 < frequency_hz < {half:g}")
-        alpha, beta = boundary.stability_boundary(2 * math.pi * period * hz, gamma, delta, delay)
+        theta = 2 * math.pi * period * hz
+        if scene.further:
+            alpha, beta = scene.engine.stability_boundary(theta)
+        else:
+            alpha, beta = boundary.stability_boundary(theta, gamma, delta, delay)
         return alpha * unit_K, beta * unit_B
 
     K, B = (_one(found, float) for found in answer(in_unit("frequency_hz", frequency_hz, "Hz")))
@@ -194,6 +211,8 @@ def passive_region(scene: DeviceLoop, corners: int = 400) -> PassiveWalls:
 
 def max_stable_stiffness(scene: DeviceLoop) -> Stiffness:
     """The stiffest stable wall of any damping."""
+    if scene.further:
+        return Stiffness(*scene.limit(*scene.engine.trace.max_stiffness))
     return Stiffness(*scene.limit(*extremes.max_stable_stiffness(*scene.dimensionless)))
 
 
@@ -201,6 +220,8 @@ def max_passive_stiffness(scene: DeviceLoop) -> Stiffness:
     """The stiffest passive wall of any damping, of the device alone (3)."""
     alone = scene.device
     _, delta, delay = alone.dimensionless
+    if scene.further:
+        return Stiffness(*alone.limit(*alone.engine.needs.stiffest(delta)))
     return Stiffness(*alone.limit(*passivity.max_passive_stiffness(delta, delay)))
 
 
@@ -211,6 +232,11 @@ def limit_at(scene: DeviceLoop, B: Any) -> Limit:
 
     def rows(damping: NDArray[np.float64]) -> NDArray[np.float64]:
         betas = arguments.unitless("B", damping, damping * scale).flat
+        if scene.further:
+            unit, _ = units(scene.coupled.mass, scene.sampling_period)
+            K, theta = scene.engine.trace.limits(np.array(betas))
+            hz = theta / (2 * math.pi * scene.sampling_period)
+            return np.stack([K * unit, hz]).reshape(2, *damping.shape)
         found = [scene.limit(*extremes.stiffest_at(float(b), gamma, delta, delay)) for b in betas]
         table = np.array([(one.K, one.frequency_hz) for one in found]).reshape(-1, 2).T
         return table.reshape(2, *damping.shape)
@@ -227,7 +253,11 @@ def passive_limit_at(scene: DeviceLoop, B: Any) -> Limit:
 
     def rows(damping: NDArray[np.float64]) -> NDArray[np.float64]:
         beta = arguments.unitless("B", damping, damping * scale)
-        alpha, _, theta = passivity.stiffest_passive_at(beta, delta, delay)
+        if scene.further:
+            found = scene.engine.needs.limits(beta.ravel(), delta)
+            alpha, theta = (each.reshape(beta.shape) for each in found)
+        else:
+            alpha, _, theta = passivity.stiffest_passive_at(beta, delta, delay)
         unit_K, _ = units(scene.mass_or_inertia, period)
         return np.stack([alpha * unit_K, theta / (2 * math.pi * period)])
 
