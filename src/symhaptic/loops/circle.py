@@ -12,7 +12,7 @@ Complex = NDArray[np.complex128]
 def point(theta: Array, in_z: bool) -> Complex:
     """z = exp(j theta), or w = z - 1 without the difference: 2 j sin(theta/2) exp(j theta/2)."""
     if in_z:
-        return np.exp(1j * theta)
+        return np.asarray(np.exp(1j * theta))
     half = np.sin(theta / 2)
     return -2 * half * half + 1j * np.sin(theta)
 

@@ -100,7 +100,7 @@ def _ends(A: Array, W: Array) -> Array:
     A, W = (np.pad(q, [(0, 0)] * (q.ndim - 1) + [(0, size - q.shape[-1])]) for q in (A, W))
     sides = squared(A) - squared(W), imaginary(A), imaginary(W)
     x = np.clip(np.concatenate([real_roots(each) for each in sides], axis=-1), 0.0, 4.0)
-    return 2 * np.arctan2(np.sqrt(x), np.sqrt(4 - x))
+    return np.asarray(2 * np.arctan2(np.sqrt(x), np.sqrt(4 - x)))
 
 
 def _many_ends(A: Array, W: Array) -> Array:
@@ -145,7 +145,7 @@ def _next_to(z: Complex) -> Array:
     angle, apart = np.abs(np.angle(z)), np.abs(np.abs(z) - 1)
     around = np.array([-9.0, -3.0, -1.0, -0.3, 0.0, 0.3, 1.0, 3.0, 9.0])
     found = angle[..., None] + apart[..., None] * around
-    return found.reshape(*z.shape[:-1], -1)
+    return np.asarray(found.reshape(*z.shape[:-1], -1))
 
 
 def crossing(loop: Loop, theta: Array) -> tuple[Complex, Complex, Complex, Complex]:

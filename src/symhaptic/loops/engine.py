@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +35,9 @@ STEPS = {
 
 _BLOCK = 4096
 """So many walls are counted at a time: their arrays stay in the processor's cache."""
+
+
+_Told = Callable[[Loop, Array, Array], NDArray[Any]]
 
 
 class Part(Protocol):
@@ -98,17 +102,25 @@ class Engine:
         """The boundary of the stable walls."""
         return Trace(self.loop)
 
+    @property
+    def no_passivity(self) -> str:
+        """Why condition (4) does not tell whether walls of this loop are passive, or nothing."""
+        simulated = self.integrator != "hold"
+        for given, why in (
+            (simulated, f"integrator={self.integrator!r}: a simulator is no device"),
+            (bool(self.parts), "actuator or structure: (4) is of a force that acts at once"),
+            (isinstance(self.velocity, Measured), "velocity=Measured(): (4) is of positions alone"),
+            (self.delay % 1, "delay: with a filter (4) is of whole periods"),
+        ):
+            if given:
+                return why
+        return ""
+
     @cached_property
     def needs(self) -> Needs:
         """What walls need of the device's damping, where (4) tells it."""
-        for given, why in (
-            (self.integrator != "hold", f"integrator={self.integrator!r}: a simulator is no device"),
-            (bool(self.parts), "actuator or structure: (4) is of a force that acts at once"),
-            (isinstance(self.velocity, Measured), "velocity=Measured(): (4) is of positions alone"),
-            (self.delay != math.floor(self.delay), "delay: (4) is of whole periods with a filter"),
-        ):
-            if given:
-                raise ValueError(f"{why}; ask for stability instead")
+        if self.no_passivity:
+            raise ValueError(f"{self.no_passivity}; passivity is not told, ask for stability")
         return Needs(
             self.velocity, math.floor(self.delay), self.period, self.virtual_mass / self.mass
         )
@@ -121,15 +133,15 @@ class Engine:
         """Roots outside the unit circle or on it."""
         return np.asarray(self._each(count.unstable_roots, alpha, beta, float))
 
-    def _each(self, function: object, alpha: Array, beta: Array, kind: type) -> Array:
+    def _each(self, function: _Told, alpha: Array, beta: Array, kind: type) -> Array:
         alpha, beta = np.broadcast_arrays(np.asarray(alpha, float), np.asarray(beta, float))
-        found = np.zeros(alpha.size, dtype=kind)
+        found: Array = np.zeros(alpha.size, dtype=kind)
         if kind is float:
             found[:] = np.nan
         known = np.flatnonzero(np.isfinite(alpha.ravel()) & np.isfinite(beta.ravel()))
         for start in range(0, len(known), _BLOCK):
             here = known[start : start + _BLOCK]
-            found[here] = function(self.loop, alpha.ravel()[here], beta.ravel()[here])  # type: ignore[operator]
+            found[here] = function(self.loop, alpha.ravel()[here], beta.ravel()[here])
         return found.reshape(alpha.shape)
 
     def passivity_margin(self, alpha: Array, beta: Array) -> Array:
@@ -221,13 +233,11 @@ class Engine:
                 f"integrator: {self.integrator!r} is not allowed for a margin of the delay; "
                 "a simulator has no time between its steps"
             )
-        walls = zip(alpha.ravel(), beta.ravel(), strict=True)
-        found = [
-            self._stable_until(K, B, first) - less if math.isfinite(K) and math.isfinite(B)
-            else math.nan
-            for K, B in walls
-        ]
-        return np.array(found).reshape(alpha.shape)
+        found = np.full(alpha.shape, np.nan)
+        for place in np.argwhere(np.isfinite(alpha) & np.isfinite(beta)):
+            at = tuple(place)
+            found[at] = self._stable_until(float(alpha[at]), float(beta[at]), first) - less
+        return found
 
     def _stable_until(self, alpha: float, beta: float, first: float) -> float:
         """The end of the window of delays that begins at ``first``, which is there if it is empty.
@@ -251,4 +261,3 @@ class Engine:
 
 _LEAST = 1e-12
 """What a passive wall needs is told to about this part; the border itself counts as passive."""
-

@@ -38,21 +38,11 @@ class Loop:
     @property
     def degree(self) -> NDArray[np.int64]:
         """How many roots the loop has."""
-        return self.M + (self.A.shape[-1] - 1)
+        return np.asarray(self.M + (self.A.shape[-1] - 1))
 
     def wall(self, K: Array, B: Array) -> Array:
         """Coefficients of K X + B Y + E."""
         return K[..., None] * self.X + B[..., None] * self.Y + self.E
-
-    def each(self, chosen: object) -> Loop:
-        """Some of the loops."""
-        parts = (np.broadcast_to(x, (*self.M.shape, x.shape[-1])) for x in self._polynomials)
-        A, X, Y, E = (x[chosen] for x in parts)
-        return Loop(A, X, Y, E, self.M[chosen], self.in_z)
-
-    @property
-    def _polynomials(self) -> tuple[Array, Array, Array, Array]:
-        return self.A, self.X, self.Y, self.E
 
 
 _SHORT = 4
@@ -111,7 +101,7 @@ def closed(
         E = product(E, to_the(late - 2))
     more = late + bool(sampled.late.any())
     A = product(_split(device), rest)
-    return Loop(*(_joined(each) for each in (A, X, Y, E)), np.asarray(whole) + more, long)
+    return Loop(_joined(A), _joined(X), _joined(Y), _joined(E), np.asarray(whole) + more, long)
 
 
 def _split(coefficients: Array) -> Polynomial:

@@ -91,21 +91,34 @@ class Needs:
             need, theta = self.required(K, B)
         return np.where(need <= damping, K, np.nan), theta
 
+    def without_stiffness(self, damping: float) -> tuple[float, float]:
+        """The least and the largest B of a passive wall with K = 0; NaN if there is none."""
+        free = damping - self.rest
+        if free.min() < 0:
+            return (np.nan, np.nan)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ends = free / self.of_B
+        low, high = ends[self.of_B < 0].max(), ends[self.of_B > 0].min()
+        inside = 1 - 1e-6  # the grid may lie beside the worst angle
+        return float(low * inside), float(high * inside)
+
     def stiffest(self, damping: float) -> tuple[float, float, float]:
         """The largest stiffness of a passive wall, its damping and its worst angle.
 
         K over B is concave, because passive walls are an intersection of half planes.
         """
-        most, least = self.of_B.max(), self.of_B.min()
-        free = damping - self.rest.max()
-        if free < 0:
+        low, high = self.without_stiffness(damping)
+        if np.isnan(low):
             return (np.nan, np.nan, np.nan)
-        low, high = (free / least if least < 0 else -free), free / most
         for _ in range(16):
             B = np.linspace(low, high, 17)
             K, theta = self.limits(B, damping)
             top = int(np.nanargmax(K))
             low, high = B[max(top - 1, 0)], B[min(top + 1, 16)]
+        if low <= 0 <= high:  # often the stiffest passive wall has no damping at all
+            at_none, angle = self.limits(np.zeros(1), damping)
+            if at_none[0] >= K[top] * (1 - 1e-12):
+                return float(at_none[0]), 0.0, float(angle[0])
         return float(K[top]), float(B[top]), float(theta[top])
 
 

@@ -69,7 +69,9 @@ class SecondMass:
         for name, (unit, least) in sizes.items():
             object.__setattr__(self, name, number(name, getattr(self, name), unit, least))
         if self.sensor not in SENSORS:
-            raise ValueError(f"sensor: {shown(self.sensor)} is not allowed; give 'motor' or 'handle'")
+            raise ValueError(
+                f"sensor: {shown(self.sensor)} is not allowed; give 'motor' or 'handle'"
+            )
 
     def before(self, plant: Plant, mass: float, period: float) -> Plant:
         """The plant with this mass at it."""

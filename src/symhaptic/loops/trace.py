@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from symhaptic.loops.circle import Array
 from symhaptic.loops.count import crossing, is_stable
 from symhaptic.loops.loop import Loop
+from symhaptic.numeric.extremum import Extremum
 
 LONGEST = 20_000
 """Periods of delay; the pieces of a boundary are as many as its turns."""
@@ -50,7 +51,7 @@ class Walls:
 
 
 class Trace:
-    """The boundary of one loop, in pieces on which K and B rise or fall."""
+    """The boundary of one loop, in pieces on which K and B rise or fall, and its stable walls."""
 
     def __init__(self, loop: Loop) -> None:
         if int(loop.M) > LONGEST:
@@ -60,6 +61,7 @@ class Trace:
         self.loop = loop
         self.theta = self._angles()
         self.K, self.B = boundary(loop, self.theta)
+        self._drawn = np.column_stack([self.K, self.B])
         bottom = _tops(loop, self.theta)[2]
         self.whole = bottom[1:] * bottom[:-1] > 0
         """Which neighbours have no pole of the boundary between them."""
@@ -144,8 +146,8 @@ class Trace:
             order = np.argsort(values)
             value, angle = np.array(values)[order], np.array(angles)[order]
             same_value = np.full(value.shape, one)
-            pair = (value, same_value) if which else (same_value, value)
-            found.append(Walls(*pair, angle))
+            K, B = (value, same_value) if which else (same_value, value)
+            found.append(Walls(K, B, angle))
         return found
 
     def stable_between(self, walls: list[Walls]) -> list[NDArray[np.bool_]]:
@@ -157,14 +159,7 @@ class Trace:
 
     def limits(self, B: Array) -> tuple[Array, Array]:
         """Largest stable stiffness and its angle for each damping; NaN where there is none."""
-        B = np.atleast_1d(np.asarray(B, dtype=float))
-        walls = self.at_damping(B)
-        found = np.full((2, len(B)), np.nan)
-        for n, (each, told) in enumerate(zip(walls, self.stable_between(walls), strict=True)):
-            if told.any():
-                last = int(np.flatnonzero(told)[-1]) + 1
-                found[:, n] = each.K[last], each.theta[last]
-        return found[0], found[1]
+        return self._ends(np.atleast_1d(np.asarray(B, dtype=float)), 0, 1.0)
 
     def dampings(self, K: Array) -> list[list[tuple[float, float]]]:
         """The intervals of B in which walls of each stiffness are stable."""
@@ -181,7 +176,7 @@ class Trace:
         return found
 
     @cached_property
-    def region(self) -> Any:
+    def polygon(self) -> Any:
         """Shapely's polygon or polygons of the stable walls, within about 1e-5 of its extent."""
         size = 4.0
         for _ in range(12):
@@ -205,7 +200,7 @@ class Trace:
 
         points, whole = np.column_stack([self.K, self.B]), self.whole
         if fine:
-            near = (np.abs(points) < 2 * np.array([K, B])).all(axis=1)
+            near = np.all(np.abs(points) < 2 * np.array([K, B]), axis=1)
             wide = np.flatnonzero(near[1:] & near[:-1] & whole)
             parts = np.linspace(0, 1, _FINER, endpoint=False)[1:, None]
             between = self.theta[wide] + parts * (self.theta[wide + 1] - self.theta[wide])
@@ -213,8 +208,9 @@ class Trace:
             order = np.argsort(theta)
             points = np.column_stack(boundary(self.loop, theta[order]))
             whole = np.insert(whole, np.repeat(wide, _FINER - 1), True)
+            self._drawn = points
         with np.errstate(invalid="ignore"):
-            inside = (np.abs(points) < 4 * np.array([K, B])).all(axis=1)
+            inside = np.all(np.abs(points) < 4 * np.array([K, B]), axis=1)
         joined = whole & inside[1:] & inside[:-1]
         frame = box(-K, -B, K, B)
         runs = np.split(np.arange(len(points)), np.flatnonzero(~joined) + 1)
@@ -236,25 +232,77 @@ class Trace:
         return found, reaches
 
     @cached_property
-    def max_stiffness(self) -> tuple[float, float, float]:
-        """Largest stiffness of a stable wall with its damping and its angle; NaN if none is."""
-        if self.region.is_empty:
-            return (np.nan, np.nan, np.nan)
-        corners = np.concatenate([np.asarray(p.exterior.coords) for p in _polygons(self.region)])
-        _, low, _, high = self.region.bounds
-        best = float(corners[np.argmax(corners[:, 0]), 1])
-        width, steps = (high - low) / 20, np.linspace(-1, 1, 21)
-        for _ in range(14):
-            B = best + width * steps
-            K, theta = self.limits(B)
-            if np.isnan(K).all():
-                width /= 10
-                continue
-            top = int(np.nanargmax(K))
-            best, found = float(B[top]), (float(K[top]), float(B[top]), float(theta[top]))
-            width /= 7
-        return found
+    def max_stiffness(self) -> Extremum:
+        """The stable wall of the largest stiffness, as a supremum; NaN if no wall is stable."""
+        return self._farthest(0, 1.0)
 
+    @cached_property
+    def max_damping(self) -> Extremum:
+        """The stable wall of the largest damping."""
+        return self._farthest(1, 1.0)
+
+    @cached_property
+    def min_damping(self) -> Extremum:
+        """The stable wall of the smallest damping."""
+        return self._farthest(1, -1.0)
+
+    @cached_property
+    def corners(self) -> Array:
+        """Where pieces of the outline meet: one row (K, B) each."""
+        drawn = {tuple(p) for p in self._drawn.tolist()}
+        rings = [np.asarray(p.exterior.coords)[:-1] for p in _polygons(self.polygon)]
+        found = []
+        for ring in rings:
+            along = np.diff(np.concatenate([ring[-1:], ring, ring[:1]]), axis=0)
+            heading = np.arctan2(along[:, 1], along[:, 0] * self._shape)
+            turn = np.abs((np.diff(heading) + np.pi) % (2 * np.pi) - np.pi)
+            sharp = (turn > _SHARP) & [tuple(p) not in drawn for p in ring.tolist()]
+            found.append(ring[sharp])
+        return np.concatenate(found) if found else np.zeros((0, 2))
+
+    @property
+    def _shape(self) -> float:
+        """Height over width of the region."""
+        low_K, low_B, high_K, high_B = self.polygon.bounds
+        return float((high_B - low_B) / (high_K - low_K))
+
+    def _farthest(self, which: int, sign: float) -> Extremum:
+        """The border point with the largest K (0) or ``sign`` B (1).
+
+        Starting from the outline, ever closer values of the other coordinate are tried.
+        """
+        if self.polygon.is_empty:
+            return Extremum(*(np.asarray(np.nan) for _ in range(3)))
+        points = np.concatenate([np.asarray(p.exterior.coords) for p in _polygons(self.polygon)])
+        other = 1 - which
+        best = float(points[np.argmax(sign * points[:, which]), other])
+        low, high = points[:, other].min(), points[:, other].max()
+        width, steps = (high - low) / 20, np.linspace(-1, 1, 21)
+        found = (np.nan, np.nan, np.nan)
+        for _ in range(14):
+            tried = best + width * steps
+            ends, theta = self._ends(tried, which, sign)
+            width /= 7
+            if not np.isnan(ends).all():
+                top = int(np.nanargmax(sign * ends))
+                best, found = float(tried[top]), (ends[top], tried[top], theta[top])
+        value, beside, angle = (np.asarray(float(x)) for x in found)
+        return Extremum(value, beside, angle) if which == 0 else Extremum(beside, value, angle)
+
+    def _ends(self, given: Array, which: int, sign: float) -> tuple[Array, Array]:
+        """The last stable K (0) or ``sign`` B (1) and its angle at values of the other one."""
+        walls = self._at(given, (self.B, self.K)[which], 1 - which)
+        found = np.full((2, len(given)), np.nan)
+        for n, (each, told) in enumerate(zip(walls, self.stable_between(walls), strict=True)):
+            if told.any():
+                stable = np.flatnonzero(told)
+                last = int(stable[-1]) + 1 if sign > 0 else int(stable[0])
+                found[:, n] = (each.K, each.B)[which][last], each.theta[last]
+        return found[0], found[1]
+
+
+_SHARP = 0.02
+"""Radians by which the outline turns at a corner, drawn as high as wide."""
 
 _FINER = 6
 """So many pieces are drawn of each between two angles of the grid."""

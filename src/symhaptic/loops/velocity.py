@@ -89,10 +89,12 @@ class Difference(Velocity):
     """(x_k - x_(k-1))/T, as in the paper."""
 
     def ratio(self, period: float) -> Ratio:
+        """V(z) for a sampling period in s."""
         return DIFFERENCE
 
     @property
     def words(self) -> str:
+        """What a person reads of it."""
         return "difference of two samples"
 
 
@@ -194,6 +196,7 @@ class LowPass(Velocity):
         return tau / (1 + tau)
 
     def ratio(self, period: float) -> Ratio:
+        """V(z) for a sampling period in s."""
         tau = self.tau(period)
         if self.order == 2:
             make = bilinear_second_order if self.mapping == "Tustin" else backward_second_order
@@ -209,6 +212,7 @@ class LowPass(Velocity):
 
     @property
     def words(self) -> str:
+        """What a person reads of it."""
         value, unit = next(
             (v, u)
             for v, u in ((self.cutoff, "Hz"), (self.time_constant, "s"), (self.weight, ""))
@@ -242,10 +246,12 @@ class Window(Velocity):
         _count("samples", self.samples)
 
     def ratio(self, period: float) -> Ratio:
+        """V(z) for a sampling period in s."""
         return DIFFERENCE.times(average(self.samples))
 
     @property
     def words(self) -> str:
+        """What a person reads of it."""
         return f"difference over {self.samples} samples"
 
 
@@ -258,6 +264,7 @@ class Average(Window):
 
     @property
     def words(self) -> str:
+        """What a person reads of it."""
         return f"mean of {self.samples} differences"
 
 
@@ -286,7 +293,9 @@ class Filter(Velocity):
         for name in ("numerator", "denominator"):
             given = getattr(self, name)
             if isinstance(given, str) or not 1 <= len(given) <= _TERMS:
-                raise ValueError(f"{name}: {shown(given)} is not allowed; give 1 to {_TERMS} numbers")
+                raise ValueError(
+                    f"{name}: {shown(given)} is not allowed; give 1 to {_TERMS} numbers"
+                )
             object.__setattr__(self, name, tuple(number(name, each, "") for each in given))
         if self.denominator[0] == 0:
             raise ValueError("denominator: 0 as the first is not allowed; give the factor of v_k")
@@ -302,12 +311,14 @@ class Filter(Velocity):
             )
 
     def ratio(self, period: float) -> Ratio:
+        """V(z) for a sampling period in s."""
         more = len(self.numerator) - len(self.denominator)
         above = _of_delays(self.numerator, max(0, -more))
         return DIFFERENCE.times(Ratio(above, _of_delays(self.denominator, 0), max(0, more)))
 
     @property
     def words(self) -> str:
+        """What a person reads of it."""
         return f"difference behind the filter {list(self.numerator)}/{list(self.denominator)}"
 
 
@@ -329,4 +340,5 @@ class Measured(Velocity):
 
     @property
     def words(self) -> str:
+        """What a person reads of it."""
         return "measured, not differenced"

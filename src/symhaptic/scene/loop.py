@@ -121,8 +121,8 @@ class DeviceLoop:
             raise ValueError(f"integrator: {shown(self.integrator)} is not allowed; give {allowed}")
         if self.integrator != "hold" and (self.actuator or self.structure):
             raise ValueError(
-                f"integrator: {self.integrator!r} beside an actuator or a structure is not allowed; "
-                "a simulator moves one mass"
+                f"integrator: {self.integrator!r} beside an actuator or a structure "
+                "is not allowed; a simulator moves one mass"
             )
         if self.arm is not None:
             checked(self.arm, self.rotary)
@@ -150,9 +150,12 @@ class DeviceLoop:
         }
         return tuple(name for name, is_there in there.items() if is_there)
 
-    def refuse_further(self, question: str) -> None:
-        """Raise :class:`ValueError` if the loop has parts for which a question has no answer."""
-        for name in self.further:
+    def refuse_further(self, question: str, *without: str) -> None:
+        """Raise :class:`ValueError` if the loop has parts for which a question has no answer.
+
+        Parts in ``without`` do not matter to it.
+        """
+        for name in set(self.further) - set(without):
             raise ValueError(
                 f"{name}: {shown(getattr(self, name))} is not allowed for {question}; "
                 f"leave out {name}"

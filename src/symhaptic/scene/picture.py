@@ -13,7 +13,12 @@ from symhaptic.numeric.stability import is_stable
 from symhaptic.scene import walls
 from symhaptic.scene.dimensionless import units
 from symhaptic.scene.loop import DeviceLoop, together
-from symhaptic.scene.walls import limit_at, max_passive_stiffness, max_stable_stiffness
+from symhaptic.scene.walls import (
+    limit_at,
+    max_passive_stiffness,
+    max_stable_stiffness,
+    why_not_passive,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -36,22 +41,15 @@ def draw(axes: Axes, scene: DeviceLoop, wall: tuple[float, float] | None = None)
     high = {"K": 1.1 * max(most.K, wall[0] if wall else 0.0), "B": 2.25 * most.B}
     high["B"] = max(high["B"], 1.3 * wall[1] if wall else 0.0)
     low = {"K": -0.06 * high["K"], "B": -0.16 * high["B"]}
-    n = held.dimensionless
-    per_K, per_B = units(held.mass_or_inertia, held.sampling_period)
-    B, K = np.meshgrid(np.linspace(low["B"], high["B"], 900), np.linspace(low["K"], high["K"], 700))
-    stable = is_stable(K / per_K, B / per_B, n.gamma, n.delta, n.delay)
-    axes.contourf(B, K, stable, levels=[0.5, 1.5], colors=[STABLE])
-    theta = np.linspace(1e-4, min(np.pi, 2.2 * np.pi / (n.delay + 1)), 4000)
-    alpha, beta = stability_boundary(theta, n.gamma, n.delta, n.delay)[:2]
-    inside = (alpha * per_K < 1.5 * high["K"]) & (alpha * per_K > 3 * low["K"])
-    inside &= (beta * per_B < 1.5 * high["B"]) & (beta * per_B > 3 * low["B"])
-    axes.plot(
-        np.where(inside, beta * per_B, np.nan), np.where(inside, alpha * per_K, np.nan),
-        color=EDGE, lw=1.3,
-    )  # fmt: skip
+    if scene.further:
+        for ring in walls.stable_region(held).outline:
+            axes.fill(ring[:, 1], ring[:, 0], color=STABLE, lw=0)
+            axes.plot(ring[:, 1], ring[:, 0], color=EDGE, lw=1.3)
+    else:
+        _traced(axes, held, low, high)
     in_K, in_B = scene.printed("N/m"), scene.printed("N*s/m")
     marks = [(most, _said("stable", most, scene))]
-    if alone.damping:
+    if alone.damping and not why_not_passive(alone):
         marks.append(_passive(axes, alone))
     for (limit, text), shape in zip(marks, "od", strict=False):
         axes.plot(limit.B, limit.K, shape, ms=5, color="black", zorder=3, label=text)
@@ -75,6 +73,23 @@ def draw(axes: Axes, scene: DeviceLoop, wall: tuple[float, float] | None = None)
     axes.legend(**BELOW, ncols=2, fontsize=9)
 
 
+def _traced(axes: Axes, held: DeviceLoop, low: dict[str, float], high: dict[str, float]) -> None:
+    """The stable walls by their verdicts, and the explicit boundary."""
+    n = held.dimensionless
+    per_K, per_B = units(held.mass_or_inertia, held.sampling_period)
+    B, K = np.meshgrid(np.linspace(low["B"], high["B"], 900), np.linspace(low["K"], high["K"], 700))
+    stable = is_stable(K / per_K, B / per_B, n.gamma, n.delta, n.delay)
+    axes.contourf(B, K, stable, levels=[0.5, 1.5], colors=[STABLE])
+    theta = np.linspace(1e-4, min(np.pi, 2.2 * np.pi / (n.delay + 1)), 4000)
+    alpha, beta = stability_boundary(theta, n.gamma, n.delta, n.delay)[:2]
+    inside = (alpha * per_K < 1.5 * high["K"]) & (alpha * per_K > 3 * low["K"])
+    inside &= (beta * per_B < 1.5 * high["B"]) & (beta * per_B > 3 * low["B"])
+    axes.plot(
+        np.where(inside, beta * per_B, np.nan), np.where(inside, alpha * per_K, np.nan),
+        color=EDGE, lw=1.3,
+    )  # fmt: skip
+
+
 def new_axes(caller: str) -> Axes:
     """Axes of a new figure, of the size of the pictures in the guides."""
     needed(caller, "matplotlib", extra="report")
@@ -86,6 +101,13 @@ def new_axes(caller: str) -> Axes:
 
 def _passive(axes: Axes, alone: DeviceLoop) -> tuple[Stiffness, str]:
     """The passive walls, and the stiffest of them with what is said of it."""
+    safe = max_passive_stiffness(alone)
+    if alone.further:
+        for ring in walls.passive_region(alone).outline:
+            axes.fill(
+                ring[:, 1], ring[:, 0], color=PASSIVE, alpha=0.75, lw=0, label="passive walls"
+            )
+        return safe, _said("passive", safe, alone)
     _, own, delay = alone.dimensionless
     per_K, per_B = units(alone.mass_or_inertia, alone.sampling_period)
     angles = np.linspace(1e-3, np.pi / (delay + 1), 400)
@@ -95,7 +117,6 @@ def _passive(axes: Axes, alone: DeviceLoop) -> tuple[Stiffness, str]:
         np.r_[-own, beta[known]] * per_B, np.r_[0, alpha[known]] * per_K,
         color=PASSIVE, alpha=0.75, lw=0, label="passive walls",
     )  # fmt: skip
-    safe = max_passive_stiffness(alone)
     return safe, _said("passive", safe, alone)
 
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from symhaptic.loops.trace import Trace
 from symhaptic.notation.quantities import in_unit, number, with_unit
 from symhaptic.numeric import arguments, boundary, passivity, stability
 from symhaptic.numeric.containers import kept
@@ -44,6 +45,11 @@ def is_passive(scene: DeviceLoop, K: Any, B: Any) -> Any:
     return _of_walls(passivity.is_passive, alone, alone.dimensionless[1:], K, B, bool)
 
 
+def why_not_passive(scene: DeviceLoop) -> str:
+    """Why passivity cannot be told of a loop, or nothing if it can."""
+    return scene.device.engine.no_passivity if scene.further else ""
+
+
 def passivity_margin(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """The damping of the device alone (3) in Ns/m minus the damping that a wall needs."""
     alone = scene.device
@@ -58,8 +64,8 @@ def passivity_margin(scene: DeviceLoop, K: Any, B: Any) -> Any:
 def max_delay(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """The largest delay in s up to which a wall is stable."""
     if scene.further:
-        args = scene, (), K, B, float, scene.sampling_period, "s"
-        return _of_walls(scene.engine.max_delay, *args)
+        ask = scene.engine.max_delay
+        return _of_walls(ask, scene, (), K, B, float, scene.sampling_period, "s")
     args = scene, scene.dimensionless[:2], K, B, float, scene.sampling_period, "s"
     return _of_walls(margin.max_delay, *args)
 
@@ -67,8 +73,8 @@ def max_delay(scene: DeviceLoop, K: Any, B: Any) -> Any:
 def delay_margin(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """The delay in s that may be added until a wall is unstable."""
     if scene.further:
-        args = scene, (), K, B, float, scene.sampling_period, "s"
-        return _of_walls(scene.engine.delay_margin, *args)
+        ask = scene.engine.delay_margin
+        return _of_walls(ask, scene, (), K, B, float, scene.sampling_period, "s")
     args = scene, scene.dimensionless, K, B, float, scene.sampling_period, "s"
     return _of_walls(margin.delay_margin, *args)
 
@@ -142,7 +148,7 @@ class StableWalls(Shape):
     """The walls (K, B) that a scene keeps stable, in N/m and Ns/m, or N m/rad and N m s/rad."""
 
     scene: DeviceLoop
-    region: tracing.Region
+    region: tracing.Region | Trace
     """The same without units."""
     polygon: Any
     """Shapely's polygon or polygons, in the units of the walls; ``area`` is in N^2 s/m^2."""
@@ -199,6 +205,13 @@ def passive_region(scene: DeviceLoop, corners: int = 400) -> PassiveWalls:
     b, period = scene.damping or 0.0, scene.sampling_period
     if b == 0:
         return PassiveWalls(scene, Polygon())
+    if scene.further:
+        delta = scene.dimensionless.delta
+        B = np.linspace(*scene.engine.needs.without_stiffness(delta), corners)
+        K, _ = scene.engine.needs.limits(B, delta)
+        own = units(scene.mass_or_inertia, period)
+        walls = np.column_stack([np.nan_to_num(K), B]) * own
+        return PassiveWalls(scene, MultiPoint([*walls, *(walls * (0, 1))]).convex_hull)
     omega = np.linspace(1e-4, math.pi * (1 - 1e-6), 10 * corners)
     alpha, beta = passivity.passivity_boundary(omega, 1.0, scene.dimensionless.delay)
     known = np.flatnonzero(np.isfinite(alpha) & (alpha >= 0))
@@ -324,6 +337,6 @@ def stable_region(scene: DeviceLoop) -> StableWalls:
     """The region of the (K, B) plane."""
     from shapely.affinity import scale
 
-    found = tracing.stable_region(*scene.dimensionless)
+    found = scene.engine.trace if scene.further else tracing.stable_region(*scene.dimensionless)
     own = units(scene.coupled.mass, scene.sampling_period)
     return StableWalls(scene, found, scale(found.polygon, *own, origin=(0, 0)), found.corners * own)

@@ -7,7 +7,12 @@ from collections.abc import Mapping
 from html import escape
 
 from symhaptic.scene.loop import UNITS, DeviceLoop
-from symhaptic.scene.walls import limit_at, max_passive_stiffness, max_stable_stiffness
+from symhaptic.scene.walls import (
+    limit_at,
+    max_passive_stiffness,
+    max_stable_stiffness,
+    why_not_passive,
+)
 
 
 def table(facts: Mapping[str, str]) -> str:
@@ -48,10 +53,13 @@ def facts(scene: DeviceLoop) -> dict[str, str]:
         found["delay"] = f"{seconds:g} s, {float(scene.periods):g} sampling periods"
     if scene.arm is not None:
         found["arm"] = str(scene.arm)
+    found |= _parts(scene)
     most, free = max_stable_stiffness(scene), limit_at(scene, 0.0)
     found["stable up to"] = _limit(scene, most.K, most.frequency_hz, most.B)
     found["without B"] = _limit(scene, free.K, free.frequency_hz)
-    if scene.damping:
+    if why := why_not_passive(scene):
+        found["passive up to"] = f"not told ({why})"
+    elif scene.damping:
         safe = max_passive_stiffness(scene)
         found["passive up to"] = _limit(scene, safe.K, safe.frequency_hz, safe.B)
     else:
@@ -59,6 +67,18 @@ def facts(scene: DeviceLoop) -> dict[str, str]:
     if scene.arm is not None:  # (2) and (3)
         found["stable up to"] += ", device and arm"
         found["passive up to"] += ", device alone"
+    return found
+
+
+def _parts(scene: DeviceLoop) -> dict[str, str]:
+    """The parts that the paper's loop does not have, in words."""
+    own = {name: getattr(scene, name) for name in ("velocity", "actuator", "structure", "encoder")}
+    found = {name: part.words for name, part in own.items() if part is not None}
+    if scene.integrator != "hold":
+        found["integrator"] = scene.integrator
+    for name, unit in (("virtual_mass", "kg"), ("coulomb_friction", "N")):
+        if (value := getattr(scene, name)) is not None:
+            found[name.replace("_", " ")] = f"{value:g} {scene.printed(unit)}"
     return found
 
 
