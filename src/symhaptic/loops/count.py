@@ -39,7 +39,8 @@ def roots_inside(loop: Loop, K: Array, B: Array) -> tuple[Array, Array]:
     leads = np.abs(device[..., 1::2]) >= np.abs(wall[..., 1::2])  # in the middle of each arc
     with np.errstate(divide="ignore", invalid="ignore"):
         after_device, after_wall = np.angle(1 + wall / late), np.angle(1 + late / wall)
-        near = np.abs(late + wall) / np.maximum(np.abs(late), np.abs(wall))
+        larger = np.maximum(np.abs(late), np.abs(wall))
+        near = np.where(larger > 0, np.abs(late + wall) / larger, 0.0)
         turns = [np.angle(each[..., 1:] / each[..., :-1]) for each in (device, wall)]
     of_device, of_wall = (np.nan_to_num(t[..., ::2] + t[..., 1::2]) for t in turns)
     ends = theta[..., ::2]
@@ -48,7 +49,7 @@ def roots_inside(loop: Loop, K: Array, B: Array) -> tuple[Array, Array]:
         of_device + whole[..., None] * np.diff(ends) + _difference(after_device[..., ::2]),
         of_wall + _difference(after_wall[..., ::2]),
     )
-    return turned.sum(axis=-1) / np.pi, np.nanmin(near, axis=-1)
+    return turned.sum(axis=-1) / np.pi, near.min(axis=-1)
 
 
 def _difference(angles: Array) -> Array:
