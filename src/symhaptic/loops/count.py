@@ -57,9 +57,12 @@ def _difference(angles: Array) -> Array:
 
 
 def unstable_roots(loop: Loop, K: Array, B: Array) -> Array:
-    """The number of roots outside the unit circle or on it, for walls and loops that broadcast."""
+    """The number of roots outside the unit circle, for walls and loops that broadcast.
+
+    NaN for a loop on the boundary.
+    """
     inside, near = roots_inside(loop, K, B)
-    return np.where(near > _ON, loop.degree - np.rint(inside), loop.degree - np.ceil(inside) + 1)
+    return np.where(near > _ON, loop.degree - np.rint(inside), np.nan)
 
 
 _WHOLE = 0.1

@@ -130,7 +130,7 @@ class Engine:
         return np.asarray(self._each(count.is_stable, alpha, beta, bool))
 
     def unstable_roots(self, alpha: Array, beta: Array) -> Array:
-        """Roots outside the unit circle or on it."""
+        """Roots outside the unit circle; NaN on the boundary."""
         return np.asarray(self._each(count.unstable_roots, alpha, beta, float))
 
     def _each(self, function: _Told, alpha: Array, beta: Array, kind: type) -> Array:
