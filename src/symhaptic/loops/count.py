@@ -9,6 +9,8 @@ these their turns are principal values.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -22,6 +24,12 @@ from symhaptic.loops.circle import (
     value,
 )
 from symhaptic.loops.loop import Loop
+from symhaptic.numeric.compiled import kernels_used
+
+if TYPE_CHECKING or kernels_used() == "compiled":
+    from symhaptic.loops import _count
+else:
+    _count = None
 
 
 def roots_inside(loop: Loop, K: Array, B: Array) -> tuple[Array, Array]:
@@ -32,6 +40,8 @@ def roots_inside(loop: Loop, K: Array, B: Array) -> tuple[Array, Array]:
     """
     K, B, whole = np.broadcast_arrays(K, B, loop.M)
     W = loop.wall(K, B)
+    if _count is not None and not loop.in_z and max(W.shape[-1], loop.A.shape[-1]) <= _MOST:
+        return _compiled(loop, W, K.shape)
     A = np.broadcast_to(loop.A, (*K.shape, loop.A.shape[-1]))
     theta = _arcs(A, W, loop.in_z)
     device, wall = _both(A, W, theta, loop.in_z)
@@ -50,6 +60,23 @@ def roots_inside(loop: Loop, K: Array, B: Array) -> tuple[Array, Array]:
         of_wall + _difference(after_wall[..., ::2]),
     )
     return turned.sum(axis=-1) / np.pi, near.min(axis=-1)
+
+
+_MOST = 17
+"""Coefficients for which the compiled loop has room."""
+
+
+def _compiled(loop: Loop, W: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
+    """The same, compiled."""
+    inside, near = np.empty(shape), np.empty(shape)
+    A, M = loop.A, np.asarray(loop.M, dtype=float)
+    if M.size > 1 or A.ndim > 1:
+        A, M = np.broadcast_to(A, (*shape, A.shape[-1])), np.broadcast_to(M, shape)
+    rows = (np.ascontiguousarray(each, dtype=float) for each in (A, W, M))
+    A, W, M = rows
+    assert _count is not None
+    _count.roots_inside(A, A.shape[-1], W, W.shape[-1], M, inside, near)
+    return inside, near
 
 
 def _difference(angles: Array) -> Array:
