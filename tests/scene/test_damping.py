@@ -76,8 +76,8 @@ def test_the_free_mass_without_delay():
 
 def test_the_limit_at_the_ends_is_the_stiffness():
     ((low, high),) = FREE.damping_for(1000.0).intervals
-    for K in FREE.limit_at([low, high]).K:
-        assert K == pytest.approx(1000.0)
+    for limit in FREE.limit_at([low, high]).K:
+        assert limit == pytest.approx(1000.0)
 
 
 def test_the_best_of_several_intervals(monkeypatch):
