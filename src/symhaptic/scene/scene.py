@@ -314,10 +314,10 @@ class Scene(DeviceLoop):
         return limit_at(self, B)
 
     @overload
-    def damping_for(self, K: float | str) -> Damping: ...
+    def damping_for(self, K: float) -> Damping: ...
     @overload
     def damping_for(self, K: ArrayLike) -> Dampings: ...
-    def damping_for(self, K: ArrayLike | str) -> Damping | Dampings:
+    def damping_for(self, K: ArrayLike) -> Damping | Dampings:
         """Virtual damping B in Ns/m with which a wall of stiffness ``K`` tolerates the most delay.
 
         Parameters
