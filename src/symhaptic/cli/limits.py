@@ -40,8 +40,8 @@ def limits(
         Path,
         typer.Argument(
             metavar="FILE",
-            help="TOML file with device (or mass, damping), sampling_period, delay; [arm], [arms], "
-            "[wall].",
+            help="TOML file with device (or mass or inertia, damping), sampling_period or "
+            "sampling_rate, delay; [arm], [arms], [wall].",
         ),
     ],
     format: Annotated[
@@ -54,11 +54,16 @@ def limits(
             "-o", metavar="FILE", help="Write to FILE. Pictures do not replace the printed limits."
         ),
     ] = None,
+    chart: Annotated[
+        bool,
+        typer.Option("--chart", help="Also give the limits over the damping B, the K-B chart."),
+    ] = False,
 ) -> None:
     """Print the limits of stable and passive walls for a device.
 
     The arm counts for stability, not for passivity.  With [arms], a range of arms, also prove which
-    walls are stable for every arm of the range.
+    walls are stable for every arm of the range.  With [wall], also print which damping gives its
+    stiffness the largest delay margin.  A rotary device has its limits in N m/rad and N m s/rad.
     """
     from symhaptic.book.listing import replace
     from symhaptic.bounds.safe.find import NothingSafe
@@ -77,6 +82,8 @@ def limits(
     safe = None
     try:
         data = answers(found.scene, found.wall)
+        if chart:
+            data["chart"] = charted(found.scene, LISTED if said is LimitsFormat.text else DRAWN_AT)
         if found.arms is not None:
             try:
                 safe = found.scene.device.safe_walls(found.arms)
@@ -91,7 +98,7 @@ def limits(
     else:
         write(replace, output, words)
     if output is not None and into in DRAWN:
-        write(replace, output, picture(found, safe, into))
+        write(replace, output, picture(found, safe, into, chart))
     if output is not None:
         typer.echo(f"wrote {output}", err=True)
 
@@ -115,18 +122,21 @@ def asked(
     return plain or (LimitsFormat.text if into in DRAWN else into), into
 
 
-def picture(found: Device, safe: SafeWalls | None, format: LimitsFormat) -> bytes:
-    """Picture of the walls of a device, of the proved ones if there are any."""
+def picture(found: Device, safe: SafeWalls | None, format: LimitsFormat, chart: bool) -> bytes:
+    """Picture of the walls of a device, of the proved ones if there are any, or its chart."""
     import matplotlib
 
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
+    from symhaptic.scene.chart import draw_chart
     from symhaptic.scene.picture import draw
     from symhaptic.scene.safe import draw_safe
 
     figure, axes = pyplot.subplots(figsize=(7.2, 4.4), layout="constrained")
-    if safe is None:
+    if chart:
+        draw_chart(axes, found.scene, found.wall)
+    elif safe is None:
         draw(axes, found.scene, found.wall)
     else:
         draw_safe(axes, safe, found.wall)
@@ -149,6 +159,7 @@ def answers(scene: Scene, wall: tuple[float, float] | None) -> dict[str, Any]:
         return value if math.isfinite(value) else None
 
     data: dict[str, Any] = {
+        "units": {"K": scene.printed("N/m"), "B": scene.printed("N*s/m"), "frequency_hz": "Hz"},
         "arm": None if scene.arm is None else str(scene.arm),
         "stiffest_stable": limit(scene.max_stable_stiffness()),
         "stable_without_virtual_damping": limit(scene.limit_at(B=0.0)),
@@ -156,6 +167,7 @@ def answers(scene: Scene, wall: tuple[float, float] | None) -> dict[str, Any]:
     }
     if wall is not None:
         K, B = wall
+        best = scene.damping_for(K)
         data["wall"] = {
             "K": K,
             "B": B,
@@ -167,8 +179,29 @@ def answers(scene: Scene, wall: tuple[float, float] | None) -> dict[str, Any]:
             # both are None if no delay destabilises the wall, the first alone if it is not computed
             "delay_margin_s": finite(scene.delay_margin(K=K, B=B)),
             "max_delay_s": finite(scene.max_delay(K=K, B=B)),
+            "stable_B": [list(ends) for ends in best.intervals],
+            # None if there is no such damping, or no margin is computed
+            "best_B": None if math.isnan(best.delay_margin) else finite(best),
+            "best_delay_margin_s": finite(best.delay_margin) if best.intervals else None,
         }
     return data
+
+
+LISTED, DRAWN_AT = 20, 200
+"""Dampings of a chart as text, and as numbers."""
+
+
+def charted(scene: Scene, count: int) -> dict[str, list[float | None]]:
+    """The limits over the damping, with ``None`` where no stiffness is stable or passive."""
+    from symhaptic.scene.chart import chart
+
+    return {
+        name: [value if math.isfinite(value) else None for value in values.tolist()]
+        for name, values in zip(_COLUMNS, chart(scene, count), strict=True)
+    }
+
+
+_COLUMNS = "B", "stable_up_to", "frequency_hz", "passive_up_to"
 
 
 def proved(safe: Any, wall: tuple[float, float] | None) -> dict[str, Any]:
@@ -191,12 +224,13 @@ def proved(safe: Any, wall: tuple[float, float] | None) -> dict[str, Any]:
 
 def text(data: dict[str, Any]) -> str:
     """The same in words."""
+    in_K, in_B = data["units"]["K"], data["units"]["B"]
 
     def said(limit: dict[str, float | None] | None) -> str:
         if limit is None or limit["K"] is None:
             return "no stiffness"
         at = "" if limit["frequency_hz"] is None else f", at {limit['frequency_hz']:.4g} Hz"
-        return f"{limit['K']:.5g} N/m with B = {limit['B']:.4g} Ns/m{at}"
+        return f"{limit['K']:.5g} {in_K} with B = {limit['B']:.4g} {in_B}{at}"
 
     arm = f"arm              {data['arm']}; counts for stability, not for passivity"
     lines = [
@@ -207,19 +241,22 @@ def text(data: dict[str, Any]) -> str:
     ]
     if wall := data.get("wall"):
         margin = wall["passivity_margin"]
-        spare = "none, because K < 0" if margin is None else f"{margin:.4g} Ns/m"
+        spare = "none, because K < 0" if margin is None else f"{margin:.4g} {in_B}"
         lines += [
-            f"the wall         {wall['K']:g} N/m with {wall['B']:g} Ns/m is "
+            f"the wall         {wall['K']:g} {in_K} with {wall['B']:g} {in_B} is "
             f"{'stable' if wall['stable'] else 'NOT STABLE'} and "
             f"{'passive' if wall['passive'] else 'not passive'}",
             f"  with this B    stable up to {said(wall['stable_up_to'])}",
             f"                 passive up to {said(wall['passive_up_to'])}",
             f"passivity margin {spare}",
             f"delay margin     {_delay_said(wall)}",
+            f"  with this K    {_dampings_said(wall, in_B)}",
         ]
     if safe := data.get("safe"):
         lines.append(f"with every arm   of {safe['arms']}:")
-        lines += _safe_said(safe, data.get("wall"))
+        lines += _safe_said(safe, data.get("wall"), in_K, in_B)
+    if chart := data.get("chart"):
+        lines += ["", *_chart_said(chart, in_K, in_B)]
     return "\n".join(lines) + "\n"
 
 
@@ -234,23 +271,47 @@ def _delay_said(wall: dict[str, Any]) -> str:
     return f"{1000 * margin:.4g} ms, up to a delay of {1000 * most:.4g} ms"
 
 
-def _safe_said(safe: dict[str, Any], wall: dict[str, Any] | None) -> list[str]:
+def _dampings_said(wall: dict[str, Any], in_B: str) -> str:
+    if not wall["stable_B"]:
+        return "no damping makes it stable"
+    ranges = ", ".join(f"{low:.4g} to {high:.4g}" for low, high in wall["stable_B"])
+    found = f"stable with B = {ranges} {in_B}"
+    if wall["best_B"] is None:
+        return found
+    margin = wall["best_delay_margin_s"]
+    most = "unlimited" if margin is None else f"{1000 * margin:.4g} ms"
+    return f"{found}; the largest delay margin, {most}, has B = {wall['best_B']:.4g} {in_B}"
+
+
+def _chart_said(chart: dict[str, list[float | None]], in_K: str, in_B: str) -> list[str]:
+    head = (f"B in {in_B}", f"stable K in {in_K}", "at Hz", f"passive K in {in_K}")
+    rows = [
+        ["-" if value is None else f"{value:.4g}" for value in row]
+        for row in zip(*chart.values(), strict=True)
+    ]
+    widths = [max(map(len, column)) for column in zip(head, *rows, strict=True)]
+    return ["  ".join(map(str.rjust, row, widths)) for row in (head, *rows)]
+
+
+def _safe_said(
+    safe: dict[str, Any], wall: dict[str, Any] | None, in_K: str, in_B: str
+) -> list[str]:
     if "not_proved" in safe:
         lines = [f"  not proved     {safe['not_proved']}"]
         return lines + (["  the wall is    NOT PROVED SAFE"] if wall else [])
     (low, high), (left, right) = safe["rectangle"]["K"], safe["rectangle"]["B"]
     stiffest, free = safe["stiffest"], safe["without_virtual_damping"]["K"]
     lines = [
-        f"  proved stable  up to {stiffest['K']:.5g} N/m with B = {stiffest['B']:.4g} Ns/m",
-        f"  without B      {f'{free:.4g} N/m' if free else 'no stiffness'}",
-        f"  any wall of    {low:.2g} to {high:.5g} N/m with {left:.4g} to {right:.4g} Ns/m",
+        f"  proved stable  up to {stiffest['K']:.5g} {in_K} with B = {stiffest['B']:.4g} {in_B}",
+        f"  without B      {f'{free:.4g} {in_K}' if free else 'no stiffness'}",
+        f"  any wall of    {low:.2g} to {high:.5g} {in_K} with {left:.4g} to {right:.4g} {in_B}",
     ]
     if wall:
         lines.append(f"  the wall is    {'safe' if safe['wall'] else 'NOT PROVED SAFE'}")
     if wall and (best := safe["best_damping"]):
         low, high = best["safe_B"]
         lines.append(
-            f"  best damping   {best['B']:.3g} Ns/m gives {wall['K']:g} N/m the largest delay "
-            f"margin; safe are {low:.3g} to {high:.3g} Ns/m"
+            f"  best damping   {best['B']:.3g} {in_B} gives {wall['K']:g} {in_K} the largest delay "
+            f"margin; safe are {low:.3g} to {high:.3g} {in_B}"
         )
     return lines

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     from symhaptic.bounds.simplest.choose import Simplest
     from symhaptic.scene.arms import Arm
+    from symhaptic.scene.damping import Damping, Dampings
     from symhaptic.scene.safe import Arms, SafeWalls
     from symhaptic.scene.walls import PassiveWalls, StableWalls
 
@@ -311,6 +312,61 @@ class Scene(DeviceLoop):
         from symhaptic.scene.walls import limit_at
 
         return limit_at(self, B)
+
+    @overload
+    def damping_for(self, K: float) -> Damping: ...
+    @overload
+    def damping_for(self, K: ArrayLike) -> Dampings: ...
+    def damping_for(self, K: ArrayLike) -> Damping | Dampings:
+        """Virtual damping B in Ns/m with which a wall of stiffness ``K`` tolerates the most delay.
+
+        Parameters
+        ----------
+        K : float, str or array_like
+            Virtual stiffness in N/m.  Arrays may be those of xarray, Dask, pandas and Pint.
+
+        Returns
+        -------
+        Damping or Dampings
+            For one stiffness a number, B, with the attributes ``intervals``, the lowest and the
+            highest B of each range of stable dampings, and ``delay_margin`` in s.  For an array a
+            tuple of arrays: ``B``, ``low`` and ``high``, the ends of the range that contains B, and
+            ``delay_margin``.  If no damping makes a stable wall, B is NaN, ``intervals`` is empty
+            and the margin 0.
+
+        Raises
+        ------
+        ValueError
+            If ``K`` is not finite, or if pieces of the boundary are missed, see
+            :func:`symhaptic.stable_region`.
+
+        Notes
+        -----
+        The delay margin is that of :meth:`delay_margin`: the wall stays stable if a velocity
+        filter, an amplifier or a bus delays the loop by less.  The ends of the ranges lie on the
+        explicit stability boundary, and between them the roots outside the unit circle are counted.
+        B is found by a search over these ranges, to about 1e-5 of their width.  If several dampings
+        tolerate every delay, B is in the middle of them.  If the margin is not computed (NaN, see
+        :meth:`delay_margin`), B is the middle of the widest range.
+
+        See Also
+        --------
+        limit_at : Largest stiffness for a damping.
+
+        Examples
+        --------
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
+        >>> best = scene.damping_for(K=1000.0)
+        >>> [(round(low, 2), round(high, 2)) for low, high in best.intervals]
+        [(1.54, 63.67)]
+        >>> round(best, 1), round(1000 * best.delay_margin, 2)  # Ns/m, ms
+        (11.9, 5.17)
+        >>> scene.damping_for(K=[1000.0, 20_000.0]).B.round(1).tolist()
+        [11.9, nan]
+        """
+        from symhaptic.scene.damping import damping_for
+
+        return damping_for(self, K)
 
     def sensitivity(self, B: float | None = None) -> dict[str, float]:
         """Change of the stiffness limit in per cent for a 1 % increase of each parameter.
