@@ -108,7 +108,7 @@ class Engine:
         simulated = self.integrator != "hold"
         for given, why in (
             (simulated, f"integrator={self.integrator!r}: a simulator is no device"),
-            (bool(self.parts), "actuator or structure: (4) is of a force that acts at once"),
+            (bool(self.parts), "(4) is of a mass on which the force acts at once"),
             (isinstance(self.velocity, Measured), "velocity=Measured(): (4) is of positions alone"),
             (self.delay % 1, "delay: with a filter (4) is of whole periods"),
         ):

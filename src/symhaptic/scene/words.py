@@ -72,7 +72,7 @@ def facts(scene: DeviceLoop) -> dict[str, str]:
 
 def _parts(scene: DeviceLoop) -> dict[str, str]:
     """The parts that the paper's loop does not have, in words."""
-    own = {name: getattr(scene, name) for name in ("velocity", "actuator", "structure", "encoder")}
+    own = {name: getattr(scene, name) for name in ("dynamics", "velocity", "actuator", "structure", "encoder")}
     found = {name: part.words for name, part in own.items() if part is not None}
     if scene.integrator != "hold":
         found["integrator"] = scene.integrator
