@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from symhaptic.loops.sensor import Encoder
 from symhaptic.notation.quantities import number
 from symhaptic.notation.suggest import suggested
 from symhaptic.scene.arms import Arm, ArmRange, checked_range
@@ -16,7 +17,11 @@ from symhaptic.scene.scene import Scene
 
 MOVED = "mass", "inertia", "damping", "stiffness"
 SCHEMA = {
-    "": (*MOVED, "sampling_period", "sampling_rate", "delay", "delay_samples"),
+    "": (
+        *(*MOVED, "sampling_period", "sampling_rate"),
+        *("delay", "delay_samples", "coulomb_friction"),
+    ),
+    "encoder": ("resolution",),
     "arm": (*MOVED, "with_device"),
     "arms": (*MOVED, "damping_per_mass", "stiffness_per_mass"),
     "wall": ("K", "B"),
@@ -76,9 +81,11 @@ def read(path: Path) -> Device:
     for name, table in tables.items():
         for key, given in table.items():
             _check(path, text, name, key, given)
-    device, arm, ranged, wall = (tables.get(name, {}) for name in SCHEMA)
+    device, arm, ranged, wall = (tables.get(name, {}) for name in ("", "arm", "arms", "wall"))
     if "wall" in tables and wall.keys() != {*SCHEMA["wall"]}:
         raise BadDevice(f"{path}: [wall] needs K and B")
+    if tables.get("encoder") == {}:
+        raise BadDevice(f"{path}: [encoder] needs resolution")
     if names.get("arm") is not None and arm:
         place = _place(path, text, "arm", next(iter(arm)))
         raise BadDevice(f"{place} beside name is not allowed; give one of them")
@@ -88,6 +95,10 @@ def read(path: Path) -> Device:
         for key, instead in (("mass", "inertia"), ("sampling_period", "sampling_rate")):
             if key not in known and instead not in known:
                 raise BadDevice(f"{path}: {key} is missing, such as {key} = {_EXAMPLES[key]}")
+        here = "encoder"
+        if here in tables:
+            known = {**known, "encoder": Encoder(**tables[here])}
+        here = ""
         scene = Scene(**known)
         moved = "inertia" if scene.rotary else "mass"
         _, here = scene.dimensionless, "arm"

@@ -116,6 +116,8 @@ class DeviceLoop:
             part = getattr(self, name)
             if part is not None and not isinstance(part, kind):
                 raise ValueError(f"{name}: {shown(part)} is not allowed; give {_EXAMPLES[name]}")
+        if self.encoder is not None:
+            object.__setattr__(self, "encoder", self.encoder.fitting(self.unit("m")))
         if self.integrator not in STEPS:
             allowed = ", ".join(map(repr, STEPS))
             raise ValueError(f"integrator: {shown(self.integrator)} is not allowed; give {allowed}")

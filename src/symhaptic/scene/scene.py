@@ -296,6 +296,46 @@ class Scene(DeviceLoop):
 
         return max_passive_stiffness(self) if B is None else one_or_many(passive_limit_at(self, B))
 
+    def max_quantised_stiffness(self) -> Stiffness:
+        """Largest stiffness in N/m of a wall without damping that is passive with the encoder.
+
+        The encoder rounds the position, and an oscillation between its steps can last although the
+        loop with the exact position is stable and passive.  Coulomb friction dissipates what the
+        rounding adds.  The limit is 0 without Coulomb friction: then the steps can sustain an
+        oscillation at any stiffness.  Counts the device alone, (3); an arm is ignored.
+
+        Returns
+        -------
+        Stiffness
+            The stiffness with the attributes ``.B``, 0.0, and ``.frequency_hz``, NaN if friction
+            limits it.  :meth:`describe` says which of both does.
+
+        Raises
+        ------
+        ValueError
+            If the scene has no encoder, or parts for which passivity is not known.
+
+        Notes
+        -----
+        Without delay K <= min(2 b/T, 2 f_c/Delta) [1]_, with the friction f_c and the resolution
+        Delta.  With a delay, :meth:`max_passive_stiffness` for B = 0 takes the place of 2 b/T.
+        The bound is sufficient for passivity; :meth:`simulate` shows motions beyond it.
+
+        .. [1] J. J. Abbott and A. M. Okamura, "Effects of position quantization and sampling rate
+           on virtual-wall passivity", IEEE Transactions on Robotics 21(5), 2005, pp. 952-964.
+
+        Examples
+        --------
+        >>> from symhaptic import Encoder
+        >>> course = Scene(mass="40 g", damping=0.8, sampling_rate="1 kHz",
+        ...     encoder=Encoder(resolution="61.4 um"), coulomb_friction="0.02 N")
+        >>> round(course.max_quantised_stiffness(), 1)  # 2 f_c/Delta; 2 b/T is 1600 N/m
+        651.5
+        """
+        from symhaptic.scene.walls import max_quantised_stiffness
+
+        return max_quantised_stiffness(self)
+
     def limit_at(self, B: ArrayLike) -> Limit:
         """Largest stiffness K in N/m of a stable wall with the damping ``B`` in Ns/m.
 
