@@ -444,3 +444,35 @@ def test_a_device_that_no_wall_makes_stable_has_an_empty_chart(tmp_path):
     run = symhaptic("limits", path, "--chart", "-o", tmp_path / "chart.svg")
     assert run.returncode == 0, run.stderr
     assert run.stdout.endswith("B in Ns/m  stable K in N/m  at Hz  passive K in N/m\n")
+COURSE = """mass = "40 g"
+damping = "0.8 Ns/m"
+sampling_rate = "1 kHz"
+coulomb_friction = "20 mN"
+
+[encoder]
+resolution = "61.4 um"
+"""
+
+
+@pytest.mark.parametrize(
+    ("friction", "K", "by", "said"),
+    [
+        ("20 mN", 2 * 0.02 / 61.4e-6, "friction", "passive up to 651.5 N/m without B, limited by"),
+        ("60 mN", 2 * 0.8 / 1e-3, "damping", "friction would allow 1954 N/m"),
+        ("0 N", 0.0, "friction", "nothing: without Coulomb friction, the steps can sustain"),
+    ],
+)
+def test_friction_or_damping_limits_a_wall_with_an_encoder(friction, K, by, said, tmp_path):
+    """K <= min(2 b/T, 2 f_c/Delta) without virtual damping (Abbott and Okamura 2005)."""
+    path = tmp_path / "device.toml"
+    path.write_text(COURSE.replace("20 mN", friction), encoding="utf-8")
+    found = json.loads(symhaptic("limits", path, "--format", "json").stdout)["passive_with_encoder"]
+    assert (found["K"], found["B"], found["limited_by"]) == (pytest.approx(K), 0.0, by)
+    assert f"\nwith encoder     {found['words']}\n" in symhaptic("limits", path).stdout
+    assert said in found["words"]
+
+
+def test_an_encoder_without_a_resolution_is_refused(tmp_path):
+    path = tmp_path / "device.toml"
+    path.write_text(COURSE.partition("resolution")[0], encoding="utf-8")
+    assert symhaptic("limits", path).stderr.endswith("[encoder] needs resolution\n")

@@ -2,7 +2,7 @@
 
 import pytest
 
-from symhaptic import Arm, ArmRange, Scene
+from symhaptic import Arm, ArmRange, Encoder, Scene
 from symhaptic.scene.device_file import SCHEMA, BadDevice, read
 
 KNOB = """inertia = "200 kg mm^2"
@@ -68,9 +68,12 @@ def test_numbers_without_a_unit_are_in_si_units(table, tmp_path):
     keys = [key for key in keys if not key.endswith("_per_mass")]
     text = "mass = 1\nsampling_period = 0.001\n" + f"[{table}]\n"
     device = read(written(tmp_path, text + "".join(f"{key} = 0.25\n" for key in keys)))
-    found = {"arm": device.scene.arm, "arms": device.arms, "wall": device.wall}[table]
+    scene, arms = device.scene, device.arms
+    found = {"arm": scene.arm, "arms": arms, "wall": device.wall, "encoder": scene.encoder}[table]
     if table == "wall":
         assert found == (0.25, 0.25)
+    elif table == "encoder":
+        assert found == Encoder(resolution=0.25)
     else:
         alike = Arm if table == "arm" else ArmRange
         assert found == alike(mass=0.25, damping=0.25, stiffness=0.25)

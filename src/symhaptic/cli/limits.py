@@ -151,7 +151,10 @@ def answers(scene: Scene, wall: tuple[float, float] | None) -> dict[str, Any]:
     Stability is that of device and arm together, passivity that of the device alone.
     """
 
-    def limit(found: Any) -> dict[str, float | None]:
+    from symhaptic.scene.walls import quantised_limits
+    from symhaptic.scene.words import quantised
+
+    def limit(found: Any) -> dict[str, Any]:
         values = {"K": found.K, "B": found.B, "frequency_hz": found.frequency_hz}
         return {k: finite(v) for k, v in values.items()}
 
@@ -165,6 +168,12 @@ def answers(scene: Scene, wall: tuple[float, float] | None) -> dict[str, Any]:
         "stable_without_virtual_damping": limit(scene.limit_at(B=0.0)),
         "stiffest_passive": limit(scene.max_passive_stiffness()) if scene.damping else None,
     }
+    if scene.encoder is not None:
+        limits = quantised_limits(scene)
+        by = min(limits, key=lambda name: limits[name])
+        each = {name: finite(K) for name, K in limits.items()}
+        words = {"limited_by": by, "limits_K": each, "words": quantised(scene)}
+        data["passive_with_encoder"] = limit(limits[by]) | words
     if wall is not None:
         K, B = wall
         best = scene.damping_for(K)
@@ -239,6 +248,8 @@ def text(data: dict[str, Any]) -> str:
         f"  without B      {said(data['stable_without_virtual_damping'])}",
         f"passive up to    {said(data['stiffest_passive'])}",
     ]
+    if with_encoder := data.get("passive_with_encoder"):
+        lines.append(f"with encoder     {with_encoder['words']}")
     if wall := data.get("wall"):
         margin = wall["passivity_margin"]
         spare = "none, because K < 0" if margin is None else f"{margin:.4g} {in_B}"

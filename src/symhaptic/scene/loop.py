@@ -32,7 +32,7 @@ from symhaptic.scene.arms import (
     checked,
     mass_or_inertia,
     one_of,
-    without_none,
+    without_defaults,
 )
 from symhaptic.scene.dimensionless import Dimensionless, per_unit, units
 from symhaptic.scene.limit import Limit
@@ -126,6 +126,8 @@ class DeviceLoop:
                     f"{name}: {shown(getattr(self, name))} beside dynamics is not allowed; "
                     f"the matrices say all of the device"
                 )
+        if self.encoder is not None:
+            object.__setattr__(self, "encoder", self.encoder.fitting(self.unit("m")))
         if self.integrator not in STEPS:
             allowed = ", ".join(map(repr, STEPS))
             raise ValueError(f"integrator: {shown(self.integrator)} is not allowed; give {allowed}")
@@ -146,7 +148,7 @@ class DeviceLoop:
             )
 
     def __repr__(self) -> str:
-        return without_none(self, "mass", "inertia")
+        return without_defaults(self, "mass", "inertia", *_FURTHER)
 
     @property
     def further(self) -> tuple[str, ...]:
@@ -314,6 +316,12 @@ def _dimensionless(loop: DeviceLoop) -> Dimensionless:
             raise ValueError(f"{given} is not allowed; give {formula} <= {most:g}")
     return found
 
+
+_FURTHER = (
+    *("dynamics", "velocity", "actuator", "structure", "integrator", "virtual_mass"),
+    *("encoder", "coulomb_friction"),
+)
+"""Parts that are shown only if they are there."""
 
 _KINDS: dict[str, type] = {
     "dynamics": LinearDevice,

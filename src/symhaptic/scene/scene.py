@@ -15,6 +15,8 @@ from symhaptic.scene.limit import Limit, Stiffness, one_or_many
 from symhaptic.scene.loop import DeviceLoop
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
     from symhaptic.scene.arms import Arm
     from symhaptic.scene.damping import Damping, Dampings
     from symhaptic.scene.safe import Arms, SafeWalls
+    from symhaptic.scene.simulation import Simulation
     from symhaptic.scene.walls import PassiveWalls, StableWalls
 
 
@@ -294,6 +297,46 @@ class Scene(DeviceLoop):
 
         return max_passive_stiffness(self) if B is None else one_or_many(passive_limit_at(self, B))
 
+    def max_quantised_stiffness(self) -> Stiffness:
+        """Largest stiffness in N/m of a wall without damping that is passive with the encoder.
+
+        The encoder rounds the position, and an oscillation between its steps can last although the
+        loop with the exact position is stable and passive.  Coulomb friction dissipates what the
+        rounding adds.  The limit is 0 without Coulomb friction: then the steps can sustain an
+        oscillation at any stiffness.  Counts the device alone, (3); an arm is ignored.
+
+        Returns
+        -------
+        Stiffness
+            The stiffness with the attributes ``.B``, 0.0, and ``.frequency_hz``, NaN if friction
+            limits it.  :meth:`describe` says which of both does.
+
+        Raises
+        ------
+        ValueError
+            If the scene has no encoder, or parts for which passivity is not known.
+
+        Notes
+        -----
+        Without delay K <= min(2 b/T, 2 f_c/Delta) [1]_, with the friction f_c and the resolution
+        Delta.  With a delay, :meth:`max_passive_stiffness` for B = 0 takes the place of 2 b/T.
+        The bound is sufficient for passivity; :meth:`simulate` shows motions beyond it.
+
+        .. [1] J. J. Abbott and A. M. Okamura, "Effects of position quantization and sampling rate
+           on virtual-wall passivity", IEEE Transactions on Robotics 21(5), 2005, pp. 952-964.
+
+        Examples
+        --------
+        >>> from symhaptic import Encoder
+        >>> course = Scene(mass="40 g", damping=0.8, sampling_rate="1 kHz",
+        ...     encoder=Encoder(resolution="61.4 um"), coulomb_friction="0.02 N")
+        >>> round(course.max_quantised_stiffness(), 1)  # 2 f_c/Delta; 2 b/T is 1600 N/m
+        651.5
+        """
+        from symhaptic.scene.walls import max_quantised_stiffness
+
+        return max_quantised_stiffness(self)
+
     def limit_at(self, B: ArrayLike) -> Limit:
         """Largest stiffness K in N/m of a stable wall with the damping ``B`` in Ns/m.
 
@@ -545,6 +588,89 @@ class Scene(DeviceLoop):
         from symhaptic.scene.systems import sympy_system
 
         return sympy_system(self)
+
+    def simulate(
+        self,
+        K: float | str,
+        B: float | str,
+        *,
+        duration: float | str,
+        position0: float | str = 0.0,
+        velocity0: float | str = 0.0,
+        external_force: float | str | ArrayLike | Callable[[float], float] = 0.0,
+        unilateral: bool = False,
+        saturation: float | str | None = None,
+        samples_between: int = 0,
+    ) -> Simulation:
+        """Simulate the device at a wall at position 0, exactly at and between the samples.
+
+        The wall is switched on at time 0; commands that are still delayed then are 0.  Before, the
+        device moved with ``velocity0``.  Device and arm move together, with all parts, the
+        encoder's resolution and the Coulomb friction of the scene.
+
+        Parameters
+        ----------
+        K, B : float or str
+            Stiffness in N/m and damping in Ns/m of the wall.
+        duration : float or str
+            In s, > 0; rounded up to whole sampling periods.
+        position0, velocity0 : float or str
+            Start in m and m/s.  A device that is released inside the wall has ``position0`` > 0;
+            one that is thrown against it has ``position0`` <= 0 and ``velocity0`` > 0.
+        external_force : float, str, array_like of shape (periods,), or callable
+            Force in N on the device, or on the second mass of a ``structure``.  It is held for each
+            sampling period; a function of the time in s is called at the samples.
+        unilateral : bool
+            ``False`` for a wall that is a spring and a damper everywhere, as the verdicts assume.
+            ``True`` for a wall at positions > 0 that only pushes, towards negative positions.
+        saturation : float or str, optional
+            Largest force in N that the controller commands, >= 0.
+        samples_between : int
+            Number of additional times between two samples, >= 0; 0 for a simulator's integrator.
+
+        Returns
+        -------
+        Simulation
+            Arrays of shape (n,) with n = periods (``samples_between`` + 1) + 1.  If the motion
+            grows beyond the range of floats, values are NaN from there on.
+
+        Raises
+        ------
+        ValueError
+            If an argument is not finite, out of its range or of the wrong dimension or shape.
+
+        Notes
+        -----
+        Between the samples the forces are held, and matrix exponentials give the motion.  A
+        fractional delay changes the force within a period.  Coulomb friction is constant while the
+        device slides; the instants at which it stops and breaks away are computed as roots of power
+        series.  It acts on the motor.  A simulator moves by the steps of its integrator, and
+        friction takes at most the velocity of a step.
+
+        Examples
+        --------
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
+        >>> limit = scene.limit_at(B=5.0).K
+        >>> for K in (0.9 * limit, 1.1 * limit):
+        ...     found = scene.simulate(K, 5.0, duration="2 s", position0="1 mm")
+        ...     print(f"{K:.0f} N/m: {1000 * abs(found.position[-100:]).max():.2g} mm")
+        2323 N/m: 0.004 mm
+        2840 N/m: 2.8e+02 mm
+        """
+        from symhaptic.scene.simulation import simulate
+
+        return simulate(
+            self,
+            K,
+            B,
+            duration=duration,
+            position0=position0,
+            velocity0=velocity0,
+            external_force=external_force,
+            unilateral=unilateral,
+            saturation=saturation,
+            samples_between=samples_between,
+        )
 
     def delay_margin(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Delay in s that may be added until walls of ``K`` (N/m) and ``B`` (Ns/m) are unstable.

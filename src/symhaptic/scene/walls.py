@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from symhaptic.loops.sensor import quantisation_limit
 from symhaptic.loops.trace import Trace
 from symhaptic.notation.quantities import in_unit, number, with_unit
 from symhaptic.numeric import arguments, boundary, passivity, stability
@@ -236,6 +237,29 @@ def max_passive_stiffness(scene: DeviceLoop) -> Stiffness:
     if scene.further:
         return Stiffness(*alone.limit(*alone.engine.needs.stiffest(delta)))
     return Stiffness(*alone.limit(*passivity.max_passive_stiffness(delta, delay)))
+
+
+def quantised_limits(scene: DeviceLoop) -> dict[str, Stiffness]:
+    """Stiffness up to which a wall without damping is passive with an encoder, by what limits it.
+
+    The position is rounded by at most Delta/2, and so the force is wrong by at most K Delta/2.
+    Friction of this size dissipates in each instant what the error gives, and the rest of the loop
+    is that without encoder.  Without virtual damping the filter of the velocity does not matter.
+    """
+    if scene.encoder is None:
+        raise ValueError("encoder: is left out; give Encoder(resolution=...)")
+    of_damping = passive_limit_at(replace(scene, velocity=None), 0.0)
+    passive = 0.0 if math.isnan(of_damping.K) else of_damping.K
+    friction = quantisation_limit(scene.encoder.resolution, scene.coulomb_friction or 0.0)
+    return {
+        "damping": Stiffness(passive, 0.0, of_damping.frequency_hz),
+        "friction": Stiffness(friction, 0.0, math.nan),
+    }
+
+
+def max_quantised_stiffness(scene: DeviceLoop) -> Stiffness:
+    """The smaller one of both."""
+    return min(quantised_limits(scene).values())
 
 
 def limit_at(scene: DeviceLoop, B: Any) -> Limit:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from html import escape
 
 from symhaptic.scene.loop import UNITS, DeviceLoop
@@ -11,6 +12,7 @@ from symhaptic.scene.walls import (
     limit_at,
     max_passive_stiffness,
     max_stable_stiffness,
+    quantised_limits,
     why_not_passive,
 )
 
@@ -64,15 +66,34 @@ def facts(scene: DeviceLoop) -> dict[str, str]:
         found["passive up to"] = _limit(scene, safe.K, safe.frequency_hz, safe.B)
     else:
         found["passive up to"] = "nothing, because the device has no damping"
+    if scene.encoder is not None:
+        found["with encoder"] = quantised(scene)
     if scene.arm is not None:  # (2) and (3)
         found["stable up to"] += ", device and arm"
         found["passive up to"] += ", device alone"
     return found
 
 
+def quantised(scene: DeviceLoop) -> str:
+    """Up to which stiffness a wall is passive with the encoder, and what limits it."""
+    if why := why_not_passive(replace(scene, velocity=None)):
+        return f"not told ({why})"
+    if not scene.coulomb_friction:
+        return "nothing: without Coulomb friction, the steps can sustain an oscillation at any K"
+    limits, unit = quantised_limits(scene), scene.printed("N/m")
+    binding, other = sorted(limits, key=lambda name: limits[name])
+    return (
+        f"passive up to {limits[binding]:.4g} {unit} without B, limited by {binding}; "
+        f"{other} would allow {limits[other]:.4g} {unit}"
+    )
+
+
 def _parts(scene: DeviceLoop) -> dict[str, str]:
     """The parts that the paper's loop does not have, in words."""
-    own = {name: getattr(scene, name) for name in ("dynamics", "velocity", "actuator", "structure", "encoder")}
+    own = {
+        name: getattr(scene, name)
+        for name in ("dynamics", "velocity", "actuator", "structure", "encoder")
+    }
     found = {name: part.words for name, part in own.items() if part is not None}
     if scene.integrator != "hold":
         found["integrator"] = scene.integrator
