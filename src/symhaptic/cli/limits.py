@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from enum import StrEnum
 from io import BytesIO
 from pathlib import Path
@@ -151,7 +152,7 @@ def answers(scene: Scene, wall: tuple[float, float] | None) -> dict[str, Any]:
     Stability is that of device and arm together, passivity that of the device alone.
     """
 
-    from symhaptic.scene.walls import quantised_limits
+    from symhaptic.scene.walls import quantised_limits, why_not_passive
     from symhaptic.scene.words import quantised
 
     def limit(found: Any) -> dict[str, Any]:
@@ -161,14 +162,18 @@ def answers(scene: Scene, wall: tuple[float, float] | None) -> dict[str, Any]:
     def finite(value: float) -> float | None:
         return value if math.isfinite(value) else None
 
+    not_told = why_not_passive(scene)
+    told = bool(scene.damping) and not not_told
     data: dict[str, Any] = {
         "units": {"K": scene.printed("N/m"), "B": scene.printed("N*s/m"), "frequency_hz": "Hz"},
         "arm": None if scene.arm is None else str(scene.arm),
         "stiffest_stable": limit(scene.max_stable_stiffness()),
         "stable_without_virtual_damping": limit(scene.limit_at(B=0.0)),
-        "stiffest_passive": limit(scene.max_passive_stiffness()) if scene.damping else None,
+        "stiffest_passive": limit(scene.max_passive_stiffness()) if told else None,
     }
-    if scene.encoder is not None:
+    if not_told:
+        data["passivity_not_told"] = not_told
+    if scene.encoder is not None and not why_not_passive(replace(scene, velocity=None)):
         limits = quantised_limits(scene)
         by = min(limits, key=lambda name: limits[name])
         each = {name: finite(K) for name, K in limits.items()}
@@ -177,17 +182,18 @@ def answers(scene: Scene, wall: tuple[float, float] | None) -> dict[str, Any]:
     if wall is not None:
         K, B = wall
         best = scene.damping_for(K)
+        delays = scene.integrator == "hold"  # a simulator has no time between its steps
         data["wall"] = {
             "K": K,
             "B": B,
             "stable": bool(scene.is_stable(K=K, B=B)),
             "stable_up_to": limit(scene.max_stable_stiffness(B)),
-            "passive_up_to": limit(scene.max_passive_stiffness(B)) if scene.damping else None,
-            "passive": bool(scene.is_passive(K=K, B=B)),
-            "passivity_margin": finite(scene.passivity_margin(K=K, B=B)),
+            "passive_up_to": limit(scene.max_passive_stiffness(B)) if told else None,
+            "passive": None if not_told else bool(scene.is_passive(K=K, B=B)),
+            "passivity_margin": None if not_told else finite(scene.passivity_margin(K=K, B=B)),
             # both are None if no delay destabilises the wall, the first alone if it is not computed
-            "delay_margin_s": finite(scene.delay_margin(K=K, B=B)),
-            "max_delay_s": finite(scene.max_delay(K=K, B=B)),
+            "delay_margin_s": finite(scene.delay_margin(K=K, B=B)) if delays else None,
+            "max_delay_s": finite(scene.max_delay(K=K, B=B)) if delays else None,
             "stable_B": [list(ends) for ends in best.intervals],
             # None if there is no such damping, or no margin is computed
             "best_B": None if math.isnan(best.delay_margin) else finite(best),
@@ -241,25 +247,26 @@ def text(data: dict[str, Any]) -> str:
         at = "" if limit["frequency_hz"] is None else f", at {limit['frequency_hz']:.4g} Hz"
         return f"{limit['K']:.5g} {in_K} with B = {limit['B']:.4g} {in_B}{at}"
 
+    why = f"not told ({data['passivity_not_told']})" if "passivity_not_told" in data else ""
     arm = f"arm              {data['arm']}; counts for stability, not for passivity"
     lines = [
         *([arm] if data["arm"] else []),
         f"stable up to     {said(data['stiffest_stable'])}",
         f"  without B      {said(data['stable_without_virtual_damping'])}",
-        f"passive up to    {said(data['stiffest_passive'])}",
+        f"passive up to    {why or said(data['stiffest_passive'])}",
     ]
     if with_encoder := data.get("passive_with_encoder"):
         lines.append(f"with encoder     {with_encoder['words']}")
     if wall := data.get("wall"):
         margin = wall["passivity_margin"]
         spare = "none, because K < 0" if margin is None else f"{margin:.4g} {in_B}"
+        passive = "" if why else f" and {'passive' if wall['passive'] else 'not passive'}"
         lines += [
             f"the wall         {wall['K']:g} {in_K} with {wall['B']:g} {in_B} is "
-            f"{'stable' if wall['stable'] else 'NOT STABLE'} and "
-            f"{'passive' if wall['passive'] else 'not passive'}",
+            f"{'stable' if wall['stable'] else 'NOT STABLE'}{passive}",
             f"  with this B    stable up to {said(wall['stable_up_to'])}",
-            f"                 passive up to {said(wall['passive_up_to'])}",
-            f"passivity margin {spare}",
+            f"                 passive up to {why or said(wall['passive_up_to'])}",
+            f"passivity margin {'not told' if why else spare}",
             f"delay margin     {_delay_said(wall)}",
             f"  with this K    {_dampings_said(wall, in_B)}",
         ]

@@ -175,11 +175,7 @@ class Engine:
         with np.errstate(invalid="ignore"):
             there = (one * two <= 0) & (np.abs(one - two) < 2.0)
         rows, slots = np.nonzero(there)
-        low, high, left = grid[rows], grid[rows + 1], one[rows, slots] > 0
-        for _ in range(52):
-            middle = (low + high) / 2
-            now = self._phases(alpha, beta, middle)[np.arange(len(slots)), slots] > 0
-            low, high = np.where(now == left, middle, low), np.where(now == left, high, middle)
+        low, high = self._zero(alpha, beta, slots, grid[rows], grid[rows + 1])
         # where a pair of angles comes or goes no phase tells; the verdicts of such cells do
         other = (np.isnan(one) != np.isnan(two)).any(axis=1)
         changed = np.concatenate([grid[:-1][other], grid[1:][other]])
@@ -193,6 +189,34 @@ class Engine:
             elif stable:
                 found.append((float(start), float(end)))
         return found
+
+    def _zero(
+        self, alpha: float, beta: float, slots: NDArray[np.intp], low: Array, high: Array
+    ) -> tuple[Array, Array]:
+        """Delays between which the phases at some angles change their signs.
+
+        By the Illinois rule: the secant's step, and half the value of an end that stays twice.
+        """
+        if not len(slots):
+            return low, high
+        each = np.arange(len(slots))
+        at_low, at_high = (self._phases(alpha, beta, x)[each, slots] for x in (low, high))
+        before = np.zeros(len(slots), dtype=bool)
+        for _ in range(_STEPS):
+            with np.errstate(divide="ignore", invalid="ignore"):
+                middle = high - at_high * (high - low) / (at_high - at_low)
+            outside = ~((middle > low) & (middle < high))
+            middle = np.where(outside, (low + high) / 2, middle)
+            now = self._phases(alpha, beta, middle)[each, slots]
+            same = (now > 0) == (at_low > 0)
+            again = same == before
+            at_high = np.where(same, np.where(again, at_high / 2, at_high), now)
+            at_low = np.where(same, now, np.where(again, at_low / 2, at_low))
+            low, high = np.where(same, middle, low), np.where(same, high, middle)
+            before = same
+        near = np.abs(at_low) < np.abs(at_high)
+        found = np.where(near, low, high)
+        return found, found
 
     def _stable_at(self, alpha: float, beta: float, delays: Array) -> NDArray[np.bool_]:
         found = [
@@ -265,6 +289,9 @@ class Engine:
             start, width = start + width, 2 * width
         return math.nan
 
+
+_STEPS = 14
+"""Of the Illinois rule, whose errors shrink with the power 1.44: from 1/8 of a period to 1e-15."""
 
 _LEAST = 1e-12
 """What a passive wall needs is told to about this part; the border itself counts as passive."""

@@ -8,7 +8,13 @@ import numpy as np
 
 from symhaptic.scene.loop import DeviceLoop
 from symhaptic.scene.picture import BELOW, EDGE, PASSIVE, STABLE, UNSTABLE
-from symhaptic.scene.walls import is_stable, limit_at, max_stable_stiffness, passive_limit_at
+from symhaptic.scene.walls import (
+    is_stable,
+    limit_at,
+    max_stable_stiffness,
+    passive_limit_at,
+    why_not_passive,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -39,7 +45,8 @@ def chart(scene: DeviceLoop, points: int) -> Chart:
         return Chart(*np.zeros((4, 0)))
     B = np.linspace(0.0, _BEYOND * most, points)
     K, _, hz = limit_at(scene, B)
-    passive = passive_limit_at(scene, B).K if scene.damping else np.full(points, np.nan)
+    told = scene.damping and not why_not_passive(scene)
+    passive = passive_limit_at(scene, B).K if told else np.full(points, np.nan)
     end = 2 + np.flatnonzero(np.isfinite(K)).max(initial=0)
     return Chart(B[:end], K[:end], hz[:end], passive[:end])
 

@@ -83,6 +83,9 @@ def _intervals(scene: DeviceLoop, K: NDArray[np.float64]) -> list[NDArray[np.flo
     scale, _ = wall_units(scene)
     alphas = arguments.unitless("K", K, K * scale)
     unit = units(scene.coupled.mass, scene.sampling_period)[1]
+    if scene.further:
+        found = scene.engine.trace.dampings(alphas)
+        return [unit * np.array(pairs).reshape(-1, 2) for pairs in found]
     return [unit * dampings_at(float(alpha), *scene.dimensionless) for alpha in alphas]
 
 
@@ -91,6 +94,17 @@ _GRID = np.arange(1, 32) / 32
 
 _ZOOMS = 3
 """Times that this is repeated between the neighbours of the best: by 16 each, to 1e-5."""
+
+
+def _margins(
+    scene: DeviceLoop, alpha: NDArray[np.float64], beta: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Delay margins in periods; NaN for a simulator, which has none."""
+    if not scene.further:
+        return np.asarray(delay_margin(alpha, beta, *scene.dimensionless))
+    if scene.integrator != "hold":
+        return np.full(beta.shape, np.nan)
+    return scene.engine.delay_margin(alpha, beta)
 
 
 def _best(
@@ -107,7 +121,7 @@ def _best(
     row, begin, end = np.arange(owner.size), low, high
     for _ in range(1 + _ZOOMS):
         B = begin[:, None] + (end - begin)[:, None] * _GRID
-        late = delay_margin(stiff * K[owner][:, None], damped * B, *scene.dimensionless)
+        late = _margins(scene, stiff * K[owner][:, None], damped * B)
         late = np.nan_to_num(late, nan=-1.0, posinf=np.inf)
         best = np.argmax(late, axis=1)
         endless = np.isposinf(late)

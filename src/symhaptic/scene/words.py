@@ -66,7 +66,7 @@ def facts(scene: DeviceLoop) -> dict[str, str]:
         found["passive up to"] = _limit(scene, safe.K, safe.frequency_hz, safe.B)
     else:
         found["passive up to"] = "nothing, because the device has no damping"
-    if scene.encoder is not None:
+    if scene.encoder is not None and not why_not_passive(replace(scene, velocity=None)):
         found["with encoder"] = quantised(scene)
     if scene.arm is not None:  # (2) and (3)
         found["stable up to"] += ", device and arm"
