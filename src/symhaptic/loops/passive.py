@@ -44,7 +44,8 @@ class Needs:
     def required(self, K: Array, B: Array) -> tuple[Array, Array]:
         """The largest damping that each wall needs at any angle, and that angle.
 
-        The angle is NaN if ever slower motions need the most.  Infinite for K < 0: such a wall pulls away.
+        The angle is NaN if ever slower motions need the most.  The damping is infinite for K < 0:
+        such a wall pulls away.
         """
         K, B = np.broadcast_arrays(np.atleast_1d(K), np.atleast_1d(B))
         needs = K[:, None] * self.of_K + B[:, None] * self.of_B + self.rest

@@ -688,6 +688,40 @@ class Scene(DeviceLoop):
 
         return delay_margin(self, K, B)
 
+    def stable_delays(self, K: float, B: float, *, up_to: float) -> tuple[tuple[float, float], ...]:
+        """All windows of the delay in which a wall is stable, from 0 to ``up_to``.
+
+        A longer delay may make an unstable wall stable: stiff devices have several windows.
+
+        Parameters
+        ----------
+        K, B : float
+            Stiffness in N/m and damping in Ns/m of the wall.
+        up_to : float
+            The longest delay in s, up to 20 000 sampling periods.
+
+        Returns
+        -------
+        tuple of tuple of float
+            The ends of each window in s, which are open but for 0 and ``up_to``.
+
+        Raises
+        ------
+        ValueError
+            If an argument is not a finite number, ``up_to`` is negative or too long, or the scene
+            is a simulator, which has no time between its steps.
+
+        Examples
+        --------
+        >>> scene = Scene(mass=0.1, damping=1.0, stiffness=3e5, sampling_period=0.001)
+        >>> windows = scene.stable_delays(K=8e4, B=-90.0, up_to=0.008)
+        >>> [(round(1000 * low, 3), round(1000 * high, 3)) for low, high in windows]  # ms
+        [(0.533, 1.694), (4.783, 4.928)]
+        """
+        from symhaptic.scene.walls import stable_delays
+
+        return stable_delays(self, K, B, up_to)
+
     def max_delay(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Largest delay in s up to which walls of ``K`` (N/m) and ``B`` (Ns/m) are stable.
 
