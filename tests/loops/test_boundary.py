@@ -66,7 +66,7 @@ def test_the_boundary_to_12_digits_of_its_scale(name, parts):
         K, B = engine.stability_boundary(theta)
         for at, k, c in zip(theta, K, B, strict=True):
             true_K, true_B = exact(gamma, delta, delay, PARTS[parts][1], name, at)
-            # two masses have a determinant of four rows, whose last digits count more at small angles
+            # the determinant of two masses has four rows: its last digits count at small angles
             scale = max(abs(true_K) + abs(true_B), 0.01 if parts == "motor" else 0)
             assert abs(k - true_K) + abs(c - true_B) < 1e-12 * scale, (delay, at)
 
