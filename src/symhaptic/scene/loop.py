@@ -126,6 +126,8 @@ class DeviceLoop:
                     f"{name}: {shown(getattr(self, name))} beside dynamics is not allowed; "
                     f"the matrices say all of the device"
                 )
+        if self.structure is not None:
+            object.__setattr__(self, "structure", self.structure.fitting(self.rotary))
         if self.encoder is not None:
             object.__setattr__(self, "encoder", self.encoder.fitting(self.unit("m")))
         if self.integrator not in STEPS:
