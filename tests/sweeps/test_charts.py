@@ -110,3 +110,14 @@ def test_the_axes_without_stiffness_and_without_damping_are_drawn():
     drawn = [(list(line.get_xdata()), list(line.get_ydata())) for line in lines]
     assert drawn == [([0, 1], [0, 0]), ([0, 0], [0, 1])]  # across and up, in parts of the axes
     assert {(line.get_color(), line.get_linewidth()) for line in lines} == {("black", 0.5)}
+
+
+def test_charts_of_a_rotary_device_have_its_units():
+    knob = Scene(inertia=1e-4, damping=2e-3, stiffness=0.1, sampling_period=1e-3)
+    for chart in (charts.robust_limits, charts.delay_margin):
+        axes = chart(knob, points=12).axes[0]
+        assert axes.get_xlabel().endswith(" in N m s/rad")
+        assert axes.get_ylabel().endswith(" in N m/rad")
+    title = charts.robust_limits(knob, points=12).axes[0].get_title(loc="left")
+    assert title == "$k$ = 0 to 0.1 N m/rad, $b$ = 0 to 0.002 N m s/rad"
+    assert charts.stiffest(knob, points=12).axes[0].get_ylabel().endswith(" in N m s/rad")

@@ -9,7 +9,7 @@ from pathlib import Path
 from symhaptic.book.chapters import beside
 
 ORDER = (
-    *("tutorial", "limits", "devices", "sweep", "howto", "verify", "check", "export"),
+    *("tutorial", "limits", "loops", "devices", "sweep", "howto", "verify", "check", "export"),
     *("reports", "security", "verdicts", "found", "statements", "speed", "design", "language"),
 )
 """Of the guides, as they are read."""

@@ -1,0 +1,139 @@
+"""How a device moves, and what of it is seen once a period.
+
+A device is d/dt state = A state + b force, with the position and the velocity of what the sensor
+measures as rows.  Held forces, delayed by a part of a period, give its samples exactly; a
+simulator replaces the motion by steps of Euler's methods.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symhaptic.loops.number import Number
+
+Row: TypeAlias = tuple[Number, ...]
+
+
+class Plant(NamedTuple):
+    """d/dt state = A state + b force, in sampling periods and units of the mass."""
+
+    state: tuple[Row, ...]
+    force: Row
+    position: Row
+    velocity: Row
+
+
+def moving_mass(gamma: Number = 0, delta: Number = 0) -> Plant:
+    """x'' + delta x' + gamma x = force: the mass-spring-damper of the paper, (2)."""
+    return Plant(((0, 1), (-gamma, -delta)), (0, 1), (1, 0), (0, 1))
+
+
+class Sampled(NamedTuple):
+    """state+ = (1 + step) state + late force(-1) + early force, once a period.
+
+    ``early`` is what the force of this sample does within the period, ``late`` what is left of it
+    in the next one if it arrives late by a part of a period.  Arrays, the loops in front.
+    """
+
+    step: NDArray[np.float64]
+    early: NDArray[np.float64]
+    late: NDArray[np.float64]
+    position: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+
+
+def held(plant: Plant, fraction: Number = 0.0) -> Sampled:
+    """The samples of a device under forces that are held for a period.
+
+    Each force arrives late by ``fraction`` of a period, from 0 up to 1.
+    """
+    state, force, position, velocity = arrays(plant)
+    part = np.asarray(fraction, dtype=float)[..., None, None]
+    step, _ = grown(state)
+    on, early = grown(state * (1 - part))
+    _, late = grown(state * part)
+    early, late = (1 - part) * (early @ force), part * (late @ force)
+    return Sampled(step, early, late + on @ late, position, velocity)
+
+
+def explicit_euler(plant: Plant) -> Sampled:
+    """x+ = x + v, v+ = v + acceleration: steps of a simulator, all from the old state."""
+    state, force, position, velocity = arrays(plant)
+    return Sampled(state, force, 0 * force, position, velocity)
+
+
+def semi_implicit_euler(plant: Plant) -> Sampled:
+    """v+ = v + acceleration, x+ = x + v+: steps of a simulator that moves by the new velocity.
+
+    Places and velocities stand in turn in the state, as in :func:`moving_mass`.
+    """
+    state, force, position, velocity = arrays(plant)
+    size = state.shape[-1]
+    moves = np.eye(size)
+    moves[np.arange(0, size - 1, 2), np.arange(1, size, 2)] = 1.0  # the place takes the new speed
+    accelerates = state.copy()
+    accelerates[..., 0::2, :] = 0.0
+    step = moves @ (np.eye(size) + accelerates) - np.eye(size)
+    return Sampled(step, moves @ force, 0 * force, position, velocity)
+
+
+def grown(state: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """exp(A) - 1 and the integral of exp(A s) for s from 0 to 1, as exact as their entries.
+
+    A short time's series, doubled: exp(2A) - 1 = 2 E + E^2 takes no difference of like numbers,
+    and so small entries keep their digits.
+    """
+    size = np.abs(state).sum(axis=-1).max(initial=0.0)
+    halvings = max(0, int(np.ceil(np.log2(size))) + 1) if size > 0 else 0
+    short = state / 2.0**halvings
+    one = np.eye(state.shape[-1])
+    integral = np.broadcast_to(one, state.shape)
+    for n in range(_TERMS, 1, -1):  # Horner of sum A^(n-1)/n!
+        integral = one + short @ integral / n
+    step = short @ integral
+    for _ in range(halvings):
+        integral = integral @ (one + step / 2)
+        step = 2 * step + step @ step
+    return step, integral
+
+
+_TERMS = 18
+"""Of a matrix of norm 1/2 the terms beyond are below 2^-18/18!, 6e-22."""
+
+
+def arrays(plant: Plant) -> tuple[NDArray[np.float64], ...]:
+    """The state matrix and columns and rows of a plant as arrays, the loops in front."""
+    numbers = [np.asarray(x, dtype=float) for row in plant.state for x in row]
+    column = [np.asarray(x, dtype=float) for x in plant.force]
+    shape = np.broadcast_shapes(*(x.shape for x in (*numbers, *column)))
+    size = len(plant.state)
+    state = np.stack([np.broadcast_to(x, shape) for x in numbers], axis=-1)
+    force = np.stack([np.broadcast_to(x, shape) for x in column], axis=-1)
+    return (
+        state.reshape(*shape, size, size),
+        force[..., None],
+        np.asarray(plant.position, dtype=float),
+        np.asarray(plant.velocity, dtype=float),
+    )
+
+
+def transfer(
+    sampled: Sampled, row: NDArray[np.float64], column: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """row adj(w - step) column and det(w - step): coefficients of 1, w, w^2, ... on the last axis.
+
+    By Faddeev and LeVerrier: adj(w - S) = sum of w^k M_k.
+    """
+    step = sampled.step
+    size = step.shape[-1]
+    one = np.eye(size)
+    adjugate, top, bottom = np.broadcast_to(one, step.shape), [], [np.ones(step.shape[:-2])]
+    for n in range(1, size + 1):
+        top.append((row @ (adjugate @ column))[..., 0])
+        turned = step @ adjugate
+        bottom.append(-np.trace(turned, axis1=-2, axis2=-1) / n)
+        adjugate = turned + bottom[-1][..., None, None] * one
+    return np.stack(top[::-1], axis=-1), np.stack(bottom[::-1], axis=-1)
