@@ -51,6 +51,10 @@ SI = {
         "m N/deg", "N cm/rad", "N mm/deg", "kg m^2/s^2/rad", "J/rad^2", "lbf inch/deg", "N m/grade",
         "newton meter per radian",
     ],
+    "N": ["N", "mN", "kN", "kg m/s^2", "lbf", "J/m"],
+    "N*m": ["N m", "mN m", "N cm", "kg m^2/s^2", "lbf inch", "J"],
+    "m": ["m", "um", "mm", "inch"],
+    "rad": ["rad", "deg", "turn", "mrad", "arcmin", "degree"],
     "": ["", "mm/m", "s/ms"],
 }  # fmt: skip
 """Spellings of Pint's for the unit of each argument."""
@@ -123,6 +127,7 @@ ANGLES = [
     ("Hz", "1 rad/s"), ("Hz", "60 rpm"), ("Hz", "360 deg/s"), ("Hz", "1 turn/s"),
     ("N/m", "1 N/m/rad"), ("N/m", "1 N/m*deg"), ("N*s/m", "1 N*s/(m*turn)"), ("kg", "1 kg deg"),
     ("N*m/rad", "1 N m deg"), ("N*m/rad", "1 N m rad"), ("N*m*s/rad", "1 N m rad/s"),
+    ("N*m", "1 N m/deg"), ("N*m", "1 J/rad"), ("rad", "1"), ("rad", "1 m/m"), ("m", "1 m rad"),
     ("", "1 rad"), ("", "90 deg"), ("s", "1 s/turn"),
 ]  # fmt: skip
 

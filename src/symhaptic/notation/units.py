@@ -42,12 +42,13 @@ class Unit(NamedTuple):
         """Whether it measures what ``wanted`` does.
 
         Pint counts an angle as a number, so that 1 rad/s converts to 1 Hz.  Here the power of the
-        angle has to agree.  Units of rotation (kg m^2, N m/rad) are often written without rad, and
-        for an energy, with rad^2.
+        angle has to agree.  Stiffnesses, dampings and inertias of rotation are also written without
+        rad, and an energy over rad^2.  A torque is not: N m/deg is a stiffness.
         """
-        rotates = wanted.dimension[:2] == (1, 2) and self.angle in (0, -1, -2)
-        same_angle = self.angle == wanted.angle or rotates
-        return self.dimension == wanted.dimension and same_angle
+        kg, m, s = wanted.dimension
+        rotates = (kg, m) == (1, 2) and (wanted.angle == -1 or s == 0)
+        allowed = (0, -1, -2) if rotates else (wanted.angle,)
+        return self.dimension == wanted.dimension and self.angle in allowed
 
 
 class UnknownUnit(ValueError):

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from oracle import principal, principal_outside, radius
 
-from symhaptic import is_stable, max_stable_stiffness, stable_region
+from symhaptic import is_stable, limit_at, max_stable_stiffness, stable_region
 from symhaptic.numeric.tracing.arcs import Loop
-from symhaptic.numeric.tracing.extremes import stiffest_at
+from symhaptic.numeric.tracing.extremes import dampings_at, stiffest_at
 from symhaptic.numeric.tracing.region import farthest
 
 
@@ -132,6 +132,25 @@ def test_a_loop_that_is_not_traced_leaves_the_others_their_limits():
     assert np.isnan([v[1] for v in among]).all()
     for at, gamma in ((0, 0.1), (2, 0.5)):
         assert [v[at] for v in among] == pytest.approx(max_stable_stiffness(gamma, 0.0, 1.0))
+
+
+def test_limits_of_arrays_are_those_of_each_and_the_reverse_of_dampings():
+    rng = np.random.default_rng(5)
+    gamma, delta, delay = plants(rng, 40)
+    beta = rng.uniform(-0.1, 1, 40)
+    alpha, theta = limit_at(beta, gamma, delta, delay)
+    for i in range(40):
+        one = stiffest_at(beta[i], gamma[i], delta[i], delay[i])
+        assert (alpha[i], theta[i]) == pytest.approx((one.alpha, one.theta), nan_ok=True)
+        below = alpha[i] - 1e-9 * (1 + abs(alpha[i]))
+        if is_stable(below, beta[i], gamma[i], delta[i], delay[i]):
+            ends = dampings_at(below, gamma[i], delta[i], delay[i])
+            assert any(low <= beta[i] <= high for low, high in ends)
+    assert np.isnan(limit_at([np.nan, 3.0], 0.0, 0.0, 0)).all()
+    with pytest.warns(RuntimeWarning, match=r"gamma: 9.8696044 .* it is NaN here"):
+        among, _ = limit_at(0.4, [0.1, 9.8696044], 0.0, 1.0)
+    assert np.isnan(among[1])
+    assert among[0] == stiffest_at(0.4, 0.1, 0.0, 1.0).alpha
 
 
 @pytest.mark.parametrize(
