@@ -1,0 +1,196 @@
+"""What rules for other loops than the paper's claim, in SI units: each with its loop.
+
+A filter, a virtual mass, a simulator or a counted position is written out here as what a computer
+does from sample to sample; chapters derive the same from the parts in :mod:`symhaptic.loops`.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+from sympy import S
+
+from symhaptic.notation import (
+    B,
+    Delta,
+    K,
+    M,
+    T,
+    alpha,
+    b,
+    beta,
+    d,
+    f,
+    f_c,
+    m,
+    tau_a,
+    tau_f,
+    y,
+    z,
+)
+from symhaptic.notation.proposition import (
+    ForAll,
+    Iff,
+    Predicate,
+    Proposition,
+    both,
+    implied,
+    whole,
+)
+from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.reading import Printed
+from symhaptic.rules.claims import UNITS
+
+POLE = (f >= 0, f < 1)
+"""An exponential average; f = 0 is none."""
+
+AVERAGED = Predicate("passive", (z,), (K + B * (1 - f) * (z - 1) / (T * (z - f)), b / T))
+"""A wall whose damper takes v_k = f v_(k-1) + (1 - f)(x_k - x_(k-1))/T, without delay."""
+
+LATE_AVERAGED = Predicate("passive", (z,), (AVERAGED.of[0] * z**-d, b / T))
+"""The same wall behind whole periods of delay."""
+
+PULLS_NOT = (T > 0, b >= 0, K >= 0)
+
+
+@claims("rules:filtered-damping")
+def _filtered_damping(printed: Printed) -> Proposition:
+    """Both bounds together say which walls that do not pull are passive."""
+    given = [*PULLS_NOT, *POLE]
+    return ForAll((K, B, b, T, f), implied(given, Iff((both(printed), AVERAGED))))
+
+
+@claims("rules:undelayed-damping")
+def _undelayed_damping(printed: Printed) -> Proposition:
+    """What makes a wall passive without filter and delay is enough with both."""
+    given = [*PULLS_NOT, *POLE, whole(d), *printed]
+    return ForAll((K, B, b, T, f, d), implied(given, LATE_AVERAGED))
+
+
+HEAVY = Predicate("passive", (z,), (K + B * (1 - 1 / z) / T + M * (1 - 1 / z) ** 2 / T**2, b / T))
+"""A wall with a virtual mass: the second difference of the position, without delay."""
+
+FREELY = Predicate("stable", (z,), (z ** (d + 2) + M / (2 * m) * (z + 1),))
+"""A free mass under its virtual mass alone fades but for its drift; d periods of delay."""
+
+
+@claims("rules:virtual-mass", "rules:virtual-wall")
+def _virtual_mass(printed: Printed) -> Proposition:
+    """Whatever spring and damper are beside it."""
+    given = [*PULLS_NOT, B >= 0, M >= 0]
+    return ForAll((K, B, b, T, M), implied(given, Iff((both(printed), HEAVY))))
+
+
+@claims("rules:virtual-mass-stable")
+def _virtual_mass_stable(printed: Printed) -> Proposition:
+    given = [m > 0, M >= 0, whole(d)]
+    return ForAll((M, m, d), implied(given, Iff((both(printed), FREELY))))
+
+
+def all_inside(*step: tuple[Any, ...]) -> Predicate:
+    """What takes a state from sample to sample, in Table I's units, lets every state fade."""
+    moved = z * sp.eye(len(step)) - sp.Matrix(step)
+    polynomial = sp.expand(moved.det(method="berkowitz"))
+    return Predicate("stable", (z,), (polynomial.subs(UNITS),))
+
+
+SIMULATED = (T > 0, m > 0, K > 0, B > 0)
+
+SEMI_IMPLICIT = all_inside((1 - alpha, 1 - beta), (-alpha, 1 - beta))
+"""v' = v - (alpha x + beta v) and x' = x + v'."""
+
+EXPLICIT = all_inside((1, 1), (-alpha, 1 - beta))
+"""The same with x' = x + v."""
+
+MEASURED = all_inside((1 - alpha / 2, 1 - beta / 2), (-alpha, 1 - beta))
+"""A free mass under the force -(alpha x + beta v), held for a period."""
+
+
+_PUSH = alpha + beta * (1 - f)
+AVERAGING = all_inside(
+    (1 - _PUSH / 2, 1, beta * (1 - f) / 2), (-_PUSH, 1, beta * (1 - f)), (1 - f, 0, f)
+)
+"""The same under -(alpha x + beta (1 - f)(x - q)) with q' = f q + (1 - f) x, which is the
+exponential average of the differences; the old velocity moves the mass."""
+
+LOW_PASS = AVERAGING.at({f: tau_f / (T + tau_f)})
+"""The average that a low-pass 1/(tau s + 1) becomes by backward Euler."""
+
+_q, _lag = sp.symbols("q lag")
+_slips = _lag * (1 - _q)
+_held = sp.Matrix([S.Half - _lag + _lag * _slips, 1 - _slips, 1 - _q, 0])
+_free = sp.Matrix([[1, 1, _lag - _lag * _slips, 0], [0, 1, _slips, 0], [0, 0, _q, 0], [1, 0, 0, 0]])
+_wall = sp.Matrix([[alpha + beta, 0, 0, -beta]])
+LAGGING = all_inside(*(_free - _held * _wall).tolist()).at(
+    {_q: sp.exp(-T / tau_a), _lag: tau_a / T}
+)
+"""A free mass under a force u with tau u' = F - u; F = -(alpha x + beta (x - x')) of the sample x'
+before, held for a period."""
+
+
+def _decides(printed: Printed, stable: Proposition) -> Proposition:
+    """The bounds are met by stable loops and by no others."""
+    return ForAll((K, B, T, m), implied([T > 0, m > 0], Iff((both(printed), stable))))
+
+
+@claims("rules:semi-implicit-euler")
+def _semi_implicit(printed: Printed) -> Proposition:
+    return _decides(printed, SEMI_IMPLICIT)
+
+
+@claims("rules:explicit-euler")
+def _explicit(printed: Printed) -> Proposition:
+    return _decides(printed, EXPLICIT)
+
+
+@claims("rules:measured-velocity")
+def _measured(printed: Printed) -> Proposition:
+    return _decides(printed, MEASURED)
+
+
+@claims("rules:filtered-mass")
+def _filtered_mass(printed: Printed) -> Proposition:
+    given = [T > 0, m > 0, tau_f >= 0]
+    return ForAll((K, B, T, m, tau_f), implied(given, Iff((both(printed), LOW_PASS))))
+
+
+@claims("rules:filter-as-delay")
+def _filter_as_delay(printed: Printed) -> Proposition:
+    given = [*SIMULATED, tau_f >= 0, *printed]
+    return ForAll((K, B, T, m, tau_f), implied(given, LOW_PASS))
+
+
+@claims("rules:lag-as-delay")
+def _lag_as_delay(printed: Printed) -> Proposition:
+    """What is stable with the lag is within the bound."""
+    given = [*SIMULATED, tau_a > 0, LAGGING]
+    return ForAll((K, B, T, m, tau_a), implied(given, both(printed)))
+
+
+@claims("rules:both-below-two")
+def _both_below_two(printed: Printed) -> Proposition:
+    """Both simulators are stable, for all that push and damp."""
+    then = both([SEMI_IMPLICIT, EXPLICIT])
+    return ForAll((K, B, T, m), implied([*SIMULATED, *printed], then))
+
+
+@claims("rules:one-mass")
+def _one_mass(printed: Printed) -> Proposition:
+    """A simulator by semi-implicit Euler is stable, for every damper."""
+    return ForAll((K, B, T, m), implied([*SIMULATED, *printed], SEMI_IMPLICIT))
+
+
+SPRING, WALL = K * y, K * (y + sp.Abs(y)) / 2
+"""The force at a counted position: that of a spring, and that of a wall which only pushes."""
+
+
+@claims("rules:counts-and-friction")
+def _counts_and_friction(printed: Printed) -> Proposition:
+    """Both bounds together say which springs are passive, and which walls."""
+    both_ways = [
+        Iff((both(printed), Predicate("passive_counted", (y,), (force, b, f_c, T, Delta))))
+        for force in (SPRING, WALL)
+    ]
+    given = [T > 0, Delta > 0, b >= 0, f_c >= 0, K >= 0]
+    return ForAll((K, b, f_c, T, Delta), implied(given, both(both_ways)))
