@@ -98,7 +98,7 @@ def derive(page):
         for_all(symbols, given, add_assum(found, *given)),
         example=example(late | {d: S.Zero}, given),
         unless=[counterexample(claim, late, gives_energy(late, pi / 3), but=Eq(d, 0))],
-        shows="$K=1$, $B=\\tfrac18$, $b=\\tfrac34$, $T=1$: delayed by one period, the wall gives energy "
-        "to slow motions",
+        shows="$K=1$, $B=\\tfrac18$, $b=\\tfrac34$, $T=1$: delayed by one period, the "
+        "wall gives energy to slow motions",
         note="safe with every filter, exact without one; no delay is allowed for",
     )

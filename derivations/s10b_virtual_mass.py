@@ -1,8 +1,8 @@
 r"""How large may a virtual mass be?
 
-A wall can feel heavy: it answers with a force $M(x_k-2x_{k-1}+x_{k-2})/T^2$ to the acceleration that
-it computes from three samples. Which virtual masses are passive, alone and beside a spring and a
-damper, and which are stable?
+A wall can feel heavy: it answers with a force $M(x_k-2x_{k-1}+x_{k-2})/T^2$ to the acceleration
+that it computes from three samples. Which virtual masses are passive, alone and beside a spring and
+a damper, and which are stable?
 """
 
 from sympy import Eq, I, Rational, S, cos, exp

@@ -15,7 +15,7 @@ from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m, z
 from symhaptic.notation.proposition import both
 from symhaptic.paper.reading import read
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume, conj, mp
+from symhaptic.proof.theorems.kernel import add_assum, conj, mp
 from symhaptic.proof.theorems.tactics import counterexample, every, example, for_all, not_all
 from symhaptic.rules.other_loops import EXPLICIT, SEMI_IMPLICIT
 
@@ -94,9 +94,7 @@ def _below_two(page, found):
     symbols, given, then = taken_apart(claim)
     loops = [found[id].conclusion for id in (SEMI, PLAIN)]
     given = given[:2]
-    page.lemma(
-        "Explicit Euler lets $KT^2/m=1$, $BT/m=\\frac12$ grow", escapes(EXPLICIT, POINT)
-    )
+    page.lemma("Explicit Euler lets $KT^2/m=1$, $BT/m=\\frac12$ grow", escapes(EXPLICIT, POINT))
     page.lemma(
         "Semi-implicit Euler lets $KT^2/m=\\frac12$, $BT/m=\\frac{19}{10}$ grow",
         escapes(SEMI_IMPLICIT, EDGE),
@@ -125,7 +123,7 @@ def _below_two(page, found):
 def _one_mass(page, exact):
     """A quarter of the end of the bound."""
     claim = CLAIMED[ONE](STATEMENTS[ONE].printed)
-    symbols, given, then = taken_apart(claim)
+    symbols, given, _ = taken_apart(claim)
     little = 3 * m / (2 * T) >= B
     here = SI.and_(*given, little)
     bounds = exact.conclusion.of[0]

@@ -5,7 +5,7 @@ velocity is known. The wall then takes the velocity itself and no difference of 
 may it be, and does its limit hold for a difference?
 """
 
-from sympy import Matrix, Rational, S, eye
+from sympy import Matrix, S, eye
 
 from symhaptic.book.lemmas.circulation import damped_contact, outside
 from symhaptic.book.lemmas.decided import decided_by
@@ -62,8 +62,8 @@ def derive(page):
         note="exact for a free mass whose force is held for a period and comes without delay",
     )
     page.say(
-        "The stiffness may rise with the damping up to the largest one, $B=2m/T$. There, by itself, "
-        "the damper turns the velocity round in each period. With the difference of two samples "
+        "The stiffness may rise with the damping up to the largest one, $B=2m/T$. There the damper "
+        "alone reverses the velocity in each period. With the difference of two samples "
         "the limit falls to zero instead:"
     )
     _difference(page)

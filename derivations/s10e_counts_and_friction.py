@@ -32,11 +32,7 @@ def derive(page):
     )
     page.step(
         "Sampling gives $\\frac12Kp_k^2$ in a period, and counting up to $\\frac12K\\Delta|p_k|$",
-        K * y * p_k
-        + b * p_k**2 / T
-        + f_c * Abs(p_k)
-        - K * (x + p_k) ** 2 / 2
-        + K * x**2 / 2,
+        K * y * p_k + b * p_k**2 / T + f_c * Abs(p_k) - K * (x + p_k) ** 2 / 2 + K * x**2 / 2,
         (b / T - K / 2) * p_k**2
         + (f_c - K * Delta / 2) * Abs(p_k)
         + K * (Delta / 2 * Abs(p_k) + (y - x) * p_k),

@@ -1,8 +1,8 @@
 r"""What does a filter of the velocity cost a light device?
 
-A damper that takes its velocity behind a low-pass filter, $1/(\tau_fs+1)$ by backward Euler, damps
-late. For a free mass we find how stiff its wall may be, and ask whether the filter counts as a delay
-of its time constant.
+A damper whose velocity passes a low-pass filter, $1/(\tau_fs+1)$ by backward Euler, damps late. For
+a free mass we find how stiff the wall may be, and ask whether the filter counts as a delay of its
+time constant.
 """
 
 from sympy import S
@@ -42,8 +42,6 @@ def derive(page):
         "A free mass with a filtered velocity has this polynomial",
         (z - 1) ** 2 * (z - f) * (1 + mass.numerator / mass.denominator * wall),
         LOOP.of[0].subs({K: alpha, B: beta}),
-        (z - 1) ** 2 * (z - f)
-        + (z + 1) / 2 * (alpha * (z - f) + beta * (1 - f) * (z - 1)),
         name=r"p_f(z)",
         because="the filter takes the place of the sample before",
     )

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 import sympy as sp
-from sympy import S
+from sympy import Expr
 
 from symhaptic.notation import (
     B,
@@ -24,6 +24,7 @@ from symhaptic.notation import (
     f,
     f_c,
     m,
+    t_d,
     tau_a,
     tau_f,
     y,
@@ -88,11 +89,15 @@ def _virtual_mass_stable(printed: Printed) -> Proposition:
     return ForAll((M, m, d), implied(given, Iff((both(printed), FREELY))))
 
 
+def _fades(polynomial: Expr) -> Predicate:
+    """All zeros of a polynomial in Table I's units lie inside."""
+    return Predicate("stable", (z,), (polynomial.subs(UNITS),))
+
+
 def all_inside(*step: tuple[Any, ...]) -> Predicate:
     """What takes a state from sample to sample, in Table I's units, lets every state fade."""
     moved = z * sp.eye(len(step)) - sp.Matrix(step)
-    polynomial = sp.expand(moved.det(method="berkowitz"))
-    return Predicate("stable", (z,), (polynomial.subs(UNITS),))
+    return _fades(sp.collect(sp.expand(moved.det(method="berkowitz")), z))
 
 
 SIMULATED = (T > 0, m > 0, K > 0, B > 0)
@@ -107,26 +112,29 @@ MEASURED = all_inside((1 - alpha / 2, 1 - beta / 2), (-alpha, 1 - beta))
 """A free mass under the force -(alpha x + beta v), held for a period."""
 
 
-_PUSH = alpha + beta * (1 - f)
-AVERAGING = all_inside(
-    (1 - _PUSH / 2, 1, beta * (1 - f) / 2), (-_PUSH, 1, beta * (1 - f)), (1 - f, 0, f)
+AVERAGING = _fades(
+    (z - 1) ** 2 * (z - f) + (z + 1) / 2 * (alpha * (z - f) + beta * (1 - f) * (z - 1))
 )
-"""The same under -(alpha x + beta (1 - f)(x - q)) with q' = f q + (1 - f) x, which is the
-exponential average of the differences; the old velocity moves the mass."""
+"""A free mass at the same wall."""
 
 LOW_PASS = AVERAGING.at({f: tau_f / (T + tau_f)})
 """The average that a low-pass 1/(tau s + 1) becomes by backward Euler."""
 
-_q, _lag = sp.symbols("q lag")
-_slips = _lag * (1 - _q)
-_held = sp.Matrix([S.Half - _lag + _lag * _slips, 1 - _slips, 1 - _q, 0])
-_free = sp.Matrix([[1, 1, _lag - _lag * _slips, 0], [0, 1, _slips, 0], [0, 0, _q, 0], [1, 0, 0, 0]])
-_wall = sp.Matrix([[alpha + beta, 0, 0, -beta]])
-LAGGING = all_inside(*(_free - _held * _wall).tolist()).at(
-    {_q: sp.exp(-T / tau_a), _lag: tau_a / T}
+FADING, LAG = sp.symbols("q lag")
+"""exp(-T/tau) and tau/T."""
+
+FOLLOWING = _fades(
+    z * (z - 1) ** 2 * (z - FADING)
+    + (
+        (z + 1) * (z - FADING) / 2
+        - LAG * (z - 1) * (z - FADING)
+        + LAG**2 * (1 - FADING) * (z - 1) ** 2
+    )
+    * ((alpha + beta) * z - beta)
 )
-"""A free mass under a force u with tau u' = F - u; F = -(alpha x + beta (x - x')) of the sample x'
-before, held for a period."""
+"""A free mass at the paper's wall, under a force u with tau u' = F - u."""
+
+LAGGING = FOLLOWING.at({FADING: sp.exp(-T / tau_a), LAG: tau_a / T})
 
 
 def _decides(printed: Printed, stable: Proposition) -> Proposition:
@@ -194,3 +202,15 @@ def _counts_and_friction(printed: Printed) -> Proposition:
     ]
     given = [T > 0, Delta > 0, b >= 0, f_c >= 0, K >= 0]
     return ForAll((K, b, f_c, T, Delta), implied(given, both(both_ways)))
+
+
+UNDAMPED = Predicate("passive_wall", (), (K, sp.S.Zero, b, T, d))
+"""A spring behind a delay of d periods."""
+
+
+@claims("rules:energy-leak", "rules:delay-damping")
+def _undamped(printed: Printed) -> Proposition:
+    """Of a spring that pushes, for every real delay t_d = d T."""
+    given = [T > 0, b > 0, d >= 0, K >= 0]
+    rules = [rule.subs(t_d, d * T) for rule in printed]
+    return ForAll((K, b, T, d), implied(given, Iff((both(rules), UNDAMPED))))

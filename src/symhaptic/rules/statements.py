@@ -164,8 +164,23 @@ OTHER_LOOPS = (
     Statement(
         "rules:counts-and-friction",
         "Abbott and Okamura, 2005, for $B=0$",
-        "damping takes what sampling gives, and Coulomb friction what the counts of an encoder give",
+        "damping takes what sampling gives, and friction what the counts of an encoder give",
         (r"K \leq \frac{2b}{T}", r"K \leq \frac{2f_c}{\Delta}"),
+        condition=True,
+    ),
+    Statement(
+        "rules:energy-leak",
+        "open courses, for $B=0$",
+        "a spring that is moved at the speed $v$ gives away $K(vT)^2/2$ in a period, and a damper "
+        "burns $bv^2T$; the wall is passive as long as their ratio is at most one",
+        (r"\frac{KT}{2b} \leq 1",),
+        condition=True,
+    ),
+    Statement(
+        "rules:delay-damping",
+        "open courses, for $B=0$",
+        "a delay takes as much damping as its share of the stiffness, beside that of the hold",
+        (r"b \geq \frac{KT}{2} + Kt_d",),
         condition=True,
     ),
 )

@@ -10,8 +10,8 @@ from symhaptic.proof.theorems.energy import counted, dissipates, swings
 from symhaptic.proof.theorems.familiar import with_rest
 from symhaptic.rules.other_loops import SPRING, WALL
 
-SAMPLED = proposition(K <= 2 * b / T)
-COUNTED = proposition(K <= 2 * f_c / Delta)
+SAMPLED = proposition(2 * b / T >= K)
+COUNTED = proposition(2 * f_c / Delta >= K)
 BOUNDS = And((SAMPLED, COUNTED))
 BESIDE = (b, f_c, T, Delta)
 FORCES = (SPRING, WALL)

@@ -31,8 +31,11 @@ def _there() -> Given:
     here = HERE.and_(*INSIDE, sine_of_half(theta), above, below)
     near = positive(SIZE > 0, [f < 1, f < 1], [2, f >= 0, below])
     apart = here.show(2 - 2 * cos(theta) > 0)
-    roots = ((size, root, w) for size, root in ((near, f), (apart, 1)) for w in (I, -I))
-    circle = (factor(exp(w * theta) - root, size, exp(-w * theta) - root) for size, root, w in roots)
+    circle = (
+        factor(exp(way * theta) - root, size, exp(-way * theta) - root)
+        for size, root in ((near, f), (apart, 1))
+        for way in (I, -I)
+    )
     return here.and_(near, *circle)
 
 
@@ -90,10 +93,12 @@ def without_filter() -> Theorem:
     up, down = magnitude(B), magnitude(B, negative=True)
     push, brake = assume(B >= 0), positive(-B >= 0, B < 0)
     damped = conj(
-        combined(FAST, [given], [up, -1], [push, share]), combined(SLOW, [given], [up, -1], [2, push])
+        combined(FAST, [given], [up, -1], [push, share]),
+        combined(SLOW, [given], [up, -1], [2, push]),
     )
     driven = conj(
-        combined(FAST, [given], [down, -1], [brake, less], [brake]), combined(SLOW, [given], [down, -1])
+        combined(FAST, [given], [down, -1], [brake, less], [brake]),
+        combined(SLOW, [given], [down, -1]),
     )
     bounds = by_sign_of_damping(damped, closed(driven, positive(B <= 0, B < 0)))
     found = mp(decides(), HERE.closed(bounds))

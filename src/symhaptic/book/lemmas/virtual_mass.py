@@ -11,10 +11,8 @@ from symhaptic.proof.theorems.energy import toeplitz
 from symhaptic.rules.other_loops import FREELY, HEAVY
 
 BOUND = proposition(b >= K * T / 2 + B + 2 * M / T)
-LIGHT = proposition(M <= b * T / 2)
-MARGIN = proposition(
-    b - K * T / 2 + B * cos(theta) + M * (cos(theta) - cos(2 * theta)) / T >= 0
-)
+LIGHT = proposition(b * T / 2 >= M)
+MARGIN = proposition(b - K * T / 2 + B * cos(theta) + M * (cos(theta) - cos(2 * theta)) / T >= 0)
 HERE = Given(T > 0, B >= 0, M >= 0)
 HERE.have(1 / T > 0)
 
@@ -22,7 +20,8 @@ HERE.have(1 / T > 0)
 @cache
 def by_angle() -> Theorem:
     """passive <=> H(1) >= 0 and the margin of the rule at every angle."""
-    return HERE.closed(toeplitz(HEAVY.of[0], z, HEAVY.of[1], theta), *map(fact, map(whole, range(3))))
+    taps = map(fact, map(whole, range(3)))
+    return HERE.closed(toeplitz(HEAVY.of[0], z, HEAVY.of[1], theta), *taps)
 
 
 @cache
@@ -38,7 +37,7 @@ def decides() -> Theorem:
     weak = prove_hyp(in_the_limit(margin, theta, S.Zero, pi, HERE.closed(limit)), PI)
     needed = HERE.closed(combined(BOUND, [weak]))
     share = HERE.show(1 / T > 0)
-    half, turn = S.Half, square(sin(theta))
+    turn = square(sin(theta))
     rows = (
         [share, BOUND],
         [share, B >= 0, above],
@@ -65,7 +64,7 @@ def alone() -> Theorem:
 def free() -> Theorem:
     """Without delay a virtual mass of a free mass is stable <=> M < 2m, for M >= 0."""
     place = Symbol("q")
-    found = decided_by(FREELY.at({d: S.Zero}), M < 2 * m, given=(M >= 0,))
+    found = decided_by(FREELY.at({d: S.Zero}), 2 * m > M, given=(M >= 0,))
     zero = show(Eq(S.Zero, d), Eq(d, 0))
     return subst(Iff((found.conclusion.of[0], FREELY.at({d: place}))), place, found, zero)
 
@@ -82,7 +81,7 @@ def gives_energy(point: Mapping[Any, Any]) -> Theorem:
 
 def swings_up(point: Mapping[Any, Any]) -> Theorem:
     """That M < 2m does not decide about a delayed virtual mass in numbers."""
-    bound, stable = proposition(M < 2 * m).at(point), FREELY.at(point)
+    bound, stable = proposition(2 * m > M).at(point), FREELY.at(point)
     same = Iff((bound, stable))
     outside = root_outside(stable.terms[0], z)
     return not_intro(mp(assume(same), number(bound)), outside, same)

@@ -32,8 +32,8 @@ SOURCES = {
     "toeplitz": "a Toeplitz form is non-negative where its symbol is, and only there; "
     "Grenander and Szego, Toeplitz Forms and Their Applications, 5.2",
     "filtered": "the same, of a response that converges on the circle",
-    "dissipates": "a storage function; Willems, Dissipative dynamical systems, Arch. Rational Mech. "
-    "Anal. 45, 1972. A given way costs damper and friction least at constant speed",
+    "dissipates": "a storage function; Willems, Arch. Rational Mech. Anal. 45, 1972. A given way "
+    "costs damper and friction least at constant speed",
     "swings": "definition of passivity: a swing that gains energy can be repeated",
     "stored": "what is stored at rest is nothing, and a device comes to rest at as little cost "
     "as one likes; Colgate and Schenkel, J. Robot. Syst. 14(1), 1997, Sec. 3",
@@ -176,8 +176,9 @@ def swings(
 ) -> Judgement:
     """A force F(y) is not passive if a swing of two periods gains energy.
 
-    The swing goes from x by p and back, at constant speeds, and x and x + p have whole counts l and
-    n (``swing``, in this order): F(l Delta) p - F(n Delta) p + 2 b p^2/T + 2 f_c |p| < 0 (``gain``).
+    The swing goes from x by p and back, at constant speeds; l and n are the whole counts of x and
+    x + p (``swing``, in this order).  F(l Delta) p - F(n Delta) p + 2 b p^2/T + 2 f_c |p| < 0
+    (``gain``).
     """
     force, (b, friction, period, step) = term(force), map(term, wall)
     x, p, *counts = map(term, swing)
