@@ -1,7 +1,7 @@
 r"""Which walls are passive if the velocity is filtered?
 
 Most controllers smooth the difference of two samples by an exponential average,
-$v_k=fv_{k-1}+(1-f)(x_k-x_{k-1})/T$ with a pole $0\le f<1$. How much damping does the device need
+$v_k=f_v\,v_{k-1}+(1-f_v)(x_k-x_{k-1})/T$ with a pole $0\le f_v<1$. How much damping does the device need
 then, and is what is safe without the filter safe with it?
 """
 
@@ -19,7 +19,7 @@ from symhaptic.book.lemmas.filtered_wall import (
 )
 from symhaptic.book.sources import CLAIMED, STATEMENTS
 from symhaptic.loops.velocity import DIFFERENCE, exponential_average
-from symhaptic.notation import B, K, T, b, d, f, theta, z
+from symhaptic.notation import B, K, T, b, d, f_v, theta, z
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
@@ -31,14 +31,14 @@ def derive(page):
     wall = page.define(
         "The damper takes the average of the differences",
         r"H(z)",
-        K + B / T * in_z(DIFFERENCE.times(exponential_average(f))),
+        K + B / T * in_z(DIFFERENCE.times(exponential_average(f_v))),
     )
     page.step(
         "The filter takes the place of the sample before",
         wall,
-        K + B * (1 - f) * (z - 1) / (T * (z - f)),
+        K + B * (1 - f_v) * (z - 1) / (T * (z - f_v)),
         name="H(z)",
-        because="the transfer function of the average is $(1-f)z/(z-f)$",
+        because="the transfer function of the average is $(1-f_v)z/(z-f_v)$",
     )
     turn = exp(I * theta)
     lag = (wall / (z - 1)).subs(z, turn)
@@ -57,7 +57,7 @@ def derive(page):
         "over its spectrum as for a wall without filter",
     )
     slow, fast = b - SLOW.left, b - FAST.left
-    weight = (1 - f) ** 2 * (1 + cos(theta)) / (2 * (1 - 2 * f * cos(theta) + f**2))
+    weight = (1 - f_v) ** 2 * (1 + cos(theta)) / (2 * (1 - 2 * f_v * cos(theta) + f_v**2))
     page.step(
         "The margin is a mean of its values at slow motions and at Nyquist's frequency",
         MARGIN.right,
@@ -73,7 +73,7 @@ def derive(page):
         "comes as close to both as one likes",
         boxed=True,
     )
-    easy = {K: S.One, B: S.One, b: S.One, T: S.One, f: S.Half}
+    easy = {K: S.One, B: S.One, b: S.One, T: S.One, f_v: S.Half}
     page.settle(
         FILTERED,
         for_all(symbols, given, add_assum(found, *given)),
@@ -84,7 +84,7 @@ def derive(page):
     )
     page.say(
         "The filter takes out what the virtual damper does at high frequencies, where sampling "
-        "turns it into a drive: with $f=0.9$ a nineteenth of $B$ counts. This is a condition of "
+        "turns it into a drive: with $f_v=0.9$ a nineteenth of $B$ counts. This is a condition of "
         "passivity alone. The same filter costs stability with a light device, see "
         "\\chapter{s10f_filtered_mass}."
     )
@@ -92,7 +92,7 @@ def derive(page):
     symbols, given, _ = taken_apart(claim)
     found = page.lemma("What (6) allows is passive with every filter", without_filter())
     given = [*given, Eq(d, 0)]
-    late = {K: S.One, B: S.One / 8, b: Rational(3, 4), T: S.One, f: S.Half, d: S.One}
+    late = {K: S.One, B: S.One / 8, b: Rational(3, 4), T: S.One, f_v: S.Half, d: S.One}
     page.settle(
         PLAIN,
         for_all(symbols, given, add_assum(found, *given)),

@@ -1,8 +1,8 @@
 r"""How stiff may a spring be whose position is counted?
 
-An encoder gives the position in whole counts $\Delta$. The spring then pushes with a force that is
-wrong by up to half a count, and a hand can use that. A damper burns little of a slow motion; what
-helps is Coulomb friction $f_c$. How much of it does a stiffness need?
+An encoder gives the position in whole counts $\Delta_x$. The spring then pushes with a force that
+is wrong by up to half a count, and a hand can use that. A damper burns little of a slow motion;
+what helps is Coulomb friction $f_c$. How much of it does a stiffness need?
 """
 
 from sympy import Abs, Rational, S
@@ -16,7 +16,7 @@ from symhaptic.book.lemmas.counts import (
     wall_passive,
 )
 from symhaptic.book.sources import CLAIMED, STATEMENTS
-from symhaptic.notation import Delta, K, T, b, f_c, h, p_k, x, y
+from symhaptic.notation import Delta_x, K, T, b, f_c, h, p_k, x, y
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import add_assum, conj
 from symhaptic.proof.theorems.tactics import example, for_all
@@ -31,12 +31,12 @@ def derive(page):
         "device moves in between. What is left over beside the energy of the spring is"
     )
     page.step(
-        "Sampling gives $\\frac12Kp_k^2$ in a period, and counting up to $\\frac12K\\Delta|p_k|$",
+        "Sampling gives $\\frac12Kp_k^2$ in a period, and counting up to $\\frac12K\\Delta_x|p_k|$",
         K * y * p_k + b * p_k**2 / T + f_c * Abs(p_k) - K * (x + p_k) ** 2 / 2 + K * x**2 / 2,
         (b / T - K / 2) * p_k**2
-        + (f_c - K * Delta / 2) * Abs(p_k)
-        + K * (Delta / 2 * Abs(p_k) + (y - x) * p_k),
-        because="the last term is not negative, since $|y-x|\\le\\frac12\\Delta$",
+        + (f_c - K * Delta_x / 2) * Abs(p_k)
+        + K * (Delta_x / 2 * Abs(p_k) + (y - x) * p_k),
+        because="the last term is not negative, since $|y-x|\\le\\frac12\\Delta_x$",
         boxed=True,
     )
     page.say(
@@ -56,12 +56,12 @@ def derive(page):
     )
     page.step(
         "A small swing across the edge of a count leaves this energy",
-        -K * Delta * 2 * h + 2 * b * (2 * h) ** 2 / T + 2 * f_c * 2 * h,
-        -2 * h * (K * Delta - 2 * f_c - 4 * b * h / T),
-        because="negative for $K\\Delta>2f_c$ and a small $h$; repeated, it gains without end",
+        -K * Delta_x * 2 * h + 2 * b * (2 * h) ** 2 / T + 2 * f_c * 2 * h,
+        -2 * h * (K * Delta_x - 2 * f_c - 4 * b * h / T),
+        because="negative for $K\\Delta_x>2f_c$ and a small $h$; repeated, it gains without end",
     )
     page.lemma(
-        "Beyond $2f_c/\\Delta$ some motion gains energy, whatever the damper",
+        "Beyond $2f_c/\\Delta_x$ some motion gains energy, whatever the damper",
         across_a_count(FORCES[1]),
     )
     page.lemma(
@@ -76,7 +76,7 @@ def derive(page):
         conj(*map(decides, FORCES)),
         boxed=True,
     )
-    point = {K: S.One, b: S.One, f_c: S.One, T: S.One, Delta: S.One}
+    point = {K: S.One, b: S.One, f_c: S.One, T: S.One, Delta_x: S.One}
     page.settle(
         RULE,
         for_all(symbols, given, add_assum(found, *given)),
@@ -84,11 +84,11 @@ def derive(page):
         note="exact without delay and virtual damping, both borders included. A spring that damps "
         "by differences of counts, or behind a delay, needs more",
     )
-    swing = {K: S.One, Delta: S.One, T: S.One, b: S.One, f_c: Rational(1, 4), h: Rational(1, 16)}
+    swing = {K: S.One, Delta_x: S.One, T: S.One, b: S.One, f_c: Rational(1, 4), h: Rational(1, 16)}
     page.step(
         "With half of the friction that $K=1$ needs a swing of an eighth of a count gains",
-        (-2 * h * (K * Delta - 2 * f_c - 4 * b * h / T)).subs(swing),
+        (-2 * h * (K * Delta_x - 2 * f_c - 4 * b * h / T)).subs(swing),
         -Rational(1, 32),
         name="E",
-        because="for $K=\\Delta=T=b=1$, $f_c=\\tfrac14$ and $h=\\tfrac1{16}$",
+        because="for $K=\\Delta_x=T=b=1$, $f_c=\\tfrac14$ and $h=\\tfrac1{16}$",
     )

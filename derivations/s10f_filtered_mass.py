@@ -20,7 +20,7 @@ from symhaptic.book.sources import CLAIMED, STATEMENTS
 from symhaptic.loops.velocity import DIFFERENCE, exponential_average
 from symhaptic.model import plant
 from symhaptic.model.parts import Parts
-from symhaptic.notation import B, K, T, alpha, beta, f, m, tau_f, z
+from symhaptic.notation import B, K, T, alpha, beta, f_v, m, tau_f, z
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
@@ -34,13 +34,13 @@ def derive(page):
     page.step(
         "By backward Euler the low-pass filter is an exponential average",
         1 / (tau_f / T * (1 - 1 / z) + 1),
-        ((1 - f) * z / (z - f)).subs(f, tau_f / (T + tau_f)),
-        because="with $s=(1-1/z)/T$; the pole is $f=\\tau_f/(T+\\tau_f)$",
+        ((1 - f_v) * z / (z - f_v)).subs(f_v, tau_f / (T + tau_f)),
+        because="with $s=(1-1/z)/T$; the pole is $f_v=\\tau_f/(T+\\tau_f)$",
     )
-    wall = alpha + beta * in_z(DIFFERENCE.times(exponential_average(f)))
+    wall = alpha + beta * in_z(DIFFERENCE.times(exponential_average(f_v)))
     page.step(
         "A free mass with a filtered velocity has this polynomial",
-        (z - 1) ** 2 * (z - f) * (1 + mass.numerator / mass.denominator * wall),
+        (z - 1) ** 2 * (z - f_v) * (1 + mass.numerator / mass.denominator * wall),
         LOOP.of[0].subs({K: alpha, B: beta}),
         name=r"p_f(z)",
         because="the filter takes the place of the sample before",

@@ -13,17 +13,17 @@ from sympy import Expr
 
 from symhaptic.notation import (
     B,
-    Delta,
+    Delta_x,
     K,
-    M,
     T,
     alpha,
     b,
     beta,
     d,
-    f,
     f_c,
+    f_v,
     m,
+    m_v,
     t_d,
     tau_a,
     tau_f,
@@ -43,11 +43,11 @@ from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
 from symhaptic.rules.claims import UNITS
 
-POLE = (f >= 0, f < 1)
-"""An exponential average; f = 0 is none."""
+POLE = (f_v >= 0, f_v < 1)
+"""An exponential average; f_v = 0 is none."""
 
-AVERAGED = Predicate("passive", (z,), (K + B * (1 - f) * (z - 1) / (T * (z - f)), b / T))
-"""A wall whose damper takes v_k = f v_(k-1) + (1 - f)(x_k - x_(k-1))/T, without delay."""
+AVERAGED = Predicate("passive", (z,), (K + B * (1 - f_v) * (z - 1) / (T * (z - f_v)), b / T))
+"""A wall whose damper takes v_k = f_v v_(k-1) + (1 - f_v)(x_k - x_(k-1))/T, without delay."""
 
 LATE_AVERAGED = Predicate("passive", (z,), (AVERAGED.of[0] * z**-d, b / T))
 """The same wall behind whole periods of delay."""
@@ -59,34 +59,34 @@ PULLS_NOT = (T > 0, b >= 0, K >= 0)
 def _filtered_damping(printed: Printed) -> Proposition:
     """Both bounds together say which walls that do not pull are passive."""
     given = [*PULLS_NOT, *POLE]
-    return ForAll((K, B, b, T, f), implied(given, Iff((both(printed), AVERAGED))))
+    return ForAll((K, B, b, T, f_v), implied(given, Iff((both(printed), AVERAGED))))
 
 
 @claims("rules:undelayed-damping")
 def _undelayed_damping(printed: Printed) -> Proposition:
     """What makes a wall passive without filter and delay is enough with both."""
     given = [*PULLS_NOT, *POLE, whole(d), *printed]
-    return ForAll((K, B, b, T, f, d), implied(given, LATE_AVERAGED))
+    return ForAll((K, B, b, T, f_v, d), implied(given, LATE_AVERAGED))
 
 
-HEAVY = Predicate("passive", (z,), (K + B * (1 - 1 / z) / T + M * (1 - 1 / z) ** 2 / T**2, b / T))
+HEAVY = Predicate("passive", (z,), (K + B * (1 - 1 / z) / T + m_v * (1 - 1 / z) ** 2 / T**2, b / T))
 """A wall with a virtual mass: the second difference of the position, without delay."""
 
-FREELY = Predicate("stable", (z,), (z ** (d + 2) + M / (2 * m) * (z + 1),))
+FREELY = Predicate("stable", (z,), (z ** (d + 2) + m_v / (2 * m) * (z + 1),))
 """A free mass under its virtual mass alone fades but for its drift; d periods of delay."""
 
 
 @claims("rules:virtual-mass", "rules:virtual-wall")
 def _virtual_mass(printed: Printed) -> Proposition:
     """Whatever spring and damper are beside it."""
-    given = [*PULLS_NOT, B >= 0, M >= 0]
-    return ForAll((K, B, b, T, M), implied(given, Iff((both(printed), HEAVY))))
+    given = [*PULLS_NOT, B >= 0, m_v >= 0]
+    return ForAll((K, B, b, T, m_v), implied(given, Iff((both(printed), HEAVY))))
 
 
 @claims("rules:virtual-mass-stable")
 def _virtual_mass_stable(printed: Printed) -> Proposition:
-    given = [m > 0, M >= 0, whole(d)]
-    return ForAll((M, m, d), implied(given, Iff((both(printed), FREELY))))
+    given = [m > 0, m_v >= 0, whole(d)]
+    return ForAll((m_v, m, d), implied(given, Iff((both(printed), FREELY))))
 
 
 def _fades(polynomial: Expr) -> Predicate:
@@ -113,11 +113,11 @@ MEASURED = all_inside((1 - alpha / 2, 1 - beta / 2), (-alpha, 1 - beta))
 
 
 AVERAGING = _fades(
-    (z - 1) ** 2 * (z - f) + (z + 1) / 2 * (alpha * (z - f) + beta * (1 - f) * (z - 1))
+    (z - 1) ** 2 * (z - f_v) + (z + 1) / 2 * (alpha * (z - f_v) + beta * (1 - f_v) * (z - 1))
 )
 """A free mass at the same wall."""
 
-LOW_PASS = AVERAGING.at({f: tau_f / (T + tau_f)})
+LOW_PASS = AVERAGING.at({f_v: tau_f / (T + tau_f)})
 """The average that a low-pass 1/(tau s + 1) becomes by backward Euler."""
 
 FADING, LAG = sp.symbols("q lag")
@@ -197,11 +197,11 @@ SPRING, WALL = K * y, K * (y + sp.Abs(y)) / 2
 def _counts_and_friction(printed: Printed) -> Proposition:
     """Both bounds together say which springs are passive, and which walls."""
     both_ways = [
-        Iff((both(printed), Predicate("passive_counted", (y,), (force, b, f_c, T, Delta))))
+        Iff((both(printed), Predicate("passive_counted", (y,), (force, b, f_c, T, Delta_x))))
         for force in (SPRING, WALL)
     ]
-    given = [T > 0, Delta > 0, b >= 0, f_c >= 0, K >= 0]
-    return ForAll((K, b, f_c, T, Delta), implied(given, both(both_ways)))
+    given = [T > 0, Delta_x > 0, b >= 0, f_c >= 0, K >= 0]
+    return ForAll((K, b, f_c, T, Delta_x), implied(given, both(both_ways)))
 
 
 UNDAMPED = Predicate("passive_wall", (), (K, sp.S.Zero, b, T, d))

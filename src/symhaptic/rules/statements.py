@@ -65,10 +65,10 @@ RULES = (
 OTHER_LOOPS = (
     Statement(
         "rules:filtered-damping",
-        "for a damper that takes an exponential average of the velocity, with the pole $f$",
+        "for a damper that takes an exponential average of the velocity, with the pole $f_v$",
         "the damping of the device outweighs the stiffness and the part of the virtual damping "
         "that the filter lets through",
-        (r"b \geq \frac{KT}{2} + B\frac{1-f}{1+f}", r"b \geq \frac{KT}{2} - B"),
+        (r"b \geq \frac{KT}{2} + B\frac{1-f_v}{1+f_v}", r"b \geq \frac{KT}{2} - B"),
         condition=True,
     ),
     Statement(
@@ -82,21 +82,21 @@ OTHER_LOOPS = (
         "rules:virtual-mass",
         "design notes of haptic software",
         "a virtual mass is passive up to half of the damping times the period",
-        (r"M \leq \frac{bT}{2}",),
+        (r"m_v \leq \frac{bT}{2}",),
         condition=True,
     ),
     Statement(
         "rules:virtual-wall",
         "for a virtual mass beside spring and damper",
         "the damping of the device outweighs spring, damper and virtual mass together",
-        (r"b \geq \frac{KT}{2} + B + \frac{2M}{T}",),
+        (r"b \geq \frac{KT}{2} + B + \frac{2m_v}{T}",),
         condition=True,
     ),
     Statement(
         "rules:virtual-mass-stable",
         "design notes of haptic software",
         "a virtual mass is stable up to twice the mass of the device",
-        (r"M < 2m",),
+        (r"m_v < 2m",),
         condition=True,
     ),
     Statement(
@@ -165,7 +165,7 @@ OTHER_LOOPS = (
         "rules:counts-and-friction",
         "Abbott and Okamura, 2005, for $B=0$",
         "damping takes what sampling gives, and friction what the counts of an encoder give",
-        (r"K \leq \frac{2b}{T}", r"K \leq \frac{2f_c}{\Delta}"),
+        (r"K \leq \frac{2b}{T}", r"K \leq \frac{2f_c}{\Delta_x}"),
         condition=True,
     ),
     Statement(

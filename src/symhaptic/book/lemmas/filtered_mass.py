@@ -4,39 +4,39 @@ from __future__ import annotations
 
 from symhaptic.book.lemmas.decided import SI
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import f, tau_f
+from symhaptic.notation import f_v, tau_f
 from symhaptic.rules.other_loops import AVERAGING, LOW_PASS, POLE
 
 UNITS = {T: S.One, m: S.One}
 LOOP = AVERAGING.at(UNITS)
-LEFT = f * (1 + f) * K**2 + (1 - f) * (2 * (1 - f) + (1 + 3 * f) * B) * K
-QUADRATIC = proposition(2 * (1 - f) ** 2 * B * (2 - B) - LEFT > 0)
+LEFT = f_v * (1 + f_v) * K**2 + (1 - f_v) * (2 * (1 - f_v) + (1 + 3 * f_v) * B) * K
+QUADRATIC = proposition(2 * (1 - f_v) ** 2 * B * (2 - B) - LEFT > 0)
 """The last of Jury's inequalities for m = T = 1, which is quadratic in the stiffness."""
 
 BOUNDS = And((proposition(K > 0), proposition(B > 0), QUADRATIC))
 HERE = Given(*POLE)
-for claim in 1 - f > 0, 1 + f > 0:
+for claim in 1 - f_v > 0, 1 + f_v > 0:
     HERE.have(claim)
 
 
 @cache
 def in_units() -> Theorem:
-    """stable <=> K > 0, B > 0 and the quadratic inequality, for m = T = 1 and a pole 0 <= f < 1."""
+    """stable <=> K > 0, B > 0 and the quadratic inequality, for m = T = 1 and 0 <= f_v < 1."""
     criterion = HERE.closed(jury(LOOP.of[0], z))
     wanted: Any = criterion.conclusion.of[1]  # type: ignore[attr-defined]
     inside = mp(criterion, assume(LOOP))
     first, second, _, last = (conjunct(inside, p) for p in wanted.parts)
-    pushes = HERE.show(K > 0, over(K > 0, first, HERE.show(1 - f > 0)))
+    pushes = HERE.show(K > 0, over(K > 0, first, HERE.show(1 - f_v > 0)))
     room = show(QUADRATIC, last)
     # against the damping: with -B = y >= 0 the quadratic is minus a sum of products
-    slack = positive(f * K + (1 - f) * B > 0, [S.Half, second])
+    slack = positive(f_v * K + (1 - f_v) * B > 0, [S.Half, second])
     none = HERE.and_(pushes, slack, B <= 0)
     against = combined(
         QUADRATIC.right <= 0,
         [2, slack, slack],
-        [slack, pushes, none.show(1 - f > 0)],
-        [2, pushes, none.show(1 - f > 0), none.show(1 - f > 0)],
-        [4, none.show(-B >= 0), none.show(1 - f > 0), none.show(1 - f > 0)],
+        [slack, pushes, none.show(1 - f_v > 0)],
+        [2, pushes, none.show(1 - f_v > 0), none.show(1 - f_v > 0)],
+        [4, none.show(-B >= 0), none.show(1 - f_v > 0), none.show(1 - f_v > 0)],
     )
     never = contr(not_intro(room, against), B > 0)
     damps = disj_cases(ordered(S.Zero, B), assume(B > 0), never)
@@ -46,7 +46,7 @@ def in_units() -> Theorem:
 
 
 TAU = SI.and_(tau_f >= 0)
-SCALE = {K: K * T**2 / m, B: B * T / m, f: tau_f / (T + tau_f)}
+SCALE = {K: K * T**2 / m, B: B * T / m, f_v: tau_f / (T + tau_f)}
 SHARES = (m / T**2, m / T, (m * (T + tau_f) / T**2) ** 2)
 """What each bound is multiplied by to be in SI units."""
 

@@ -5,20 +5,20 @@ from __future__ import annotations
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import PI, by_sign_of_damping, cosine_bounds
-from symhaptic.notation import b, f
+from symhaptic.notation import b, f_v
 from symhaptic.paper.propositions.passivity import SIX
 from symhaptic.proof.theorems.energy import filtered
 from symhaptic.proof.theorems.familiar import linear
 from symhaptic.rules.other_loops import AVERAGED, LATE_AVERAGED, POLE
 
-FAST = proposition(b >= K * T / 2 + B * (1 - f) / (1 + f))
+FAST = proposition(b >= K * T / 2 + B * (1 - f_v) / (1 + f_v))
 SLOW = proposition(b >= K * T / 2 - B)
 """What motions near Nyquist's frequency and slow motions ask for."""
 
-SIZE = 1 - 2 * f * cos(theta) + f**2
-"""|z - f|^2 on the circle."""
+SIZE = 1 - 2 * f_v * cos(theta) + f_v**2
+"""|z - f_v|^2 on the circle."""
 
-MARGIN = proposition(b - K * T / 2 + B * (1 - f) * (cos(theta) - f) / SIZE >= 0)
+MARGIN = proposition(b - K * T / 2 + B * (1 - f_v) * (cos(theta) - f_v) / SIZE >= 0)
 """Of the virtual damping that is filtered a part counts as a damper at an angle."""
 
 HERE = Given(T > 0, *POLE)
@@ -29,11 +29,11 @@ def _there() -> Given:
     """At an angle, where no divisor vanishes."""
     above, below = cosine_bounds(theta)
     here = HERE.and_(*INSIDE, sine_of_half(theta), above, below)
-    near = positive(SIZE > 0, [f < 1, f < 1], [2, f >= 0, below])
+    near = positive(SIZE > 0, [f_v < 1, f_v < 1], [2, f_v >= 0, below])
     apart = here.show(2 - 2 * cos(theta) > 0)
     circle = (
         factor(exp(way * theta) - root, size, exp(-way * theta) - root)
-        for size, root in ((near, f), (apart, 1))
+        for size, root in ((near, f_v), (apart, 1))
         for way in (I, -I)
     )
     return here.and_(near, *circle)
@@ -42,12 +42,12 @@ def _there() -> Given:
 @cache
 def by_angle() -> Theorem:
     """passive <=> H(1) >= 0 and the margin of the rule at every angle."""
-    energy = filtered(AVERAGED.of[0], z - f, z, AVERAGED.of[1], theta)
-    return HERE.closed(energy, linear(z, HERE.show(f > -1), HERE.show(f < 1)))
+    energy = filtered(AVERAGED.of[0], z - f_v, z, AVERAGED.of[1], theta)
+    return HERE.closed(energy, linear(z, HERE.show(f_v > -1), HERE.show(f_v < 1)))
 
 
 def at_an_angle() -> Theorem:
-    """0 <= b - KT/2 + B (1 - f)(cos - f)/|z - f|^2 of a passive wall."""
+    """0 <= b - KT/2 + B (1 - f_v)(cos - f_v)/|z - f_v|^2 of a passive wall."""
     _, always = by_angle().conclusion.of[1].of  # type: ignore[attr-defined]
     known = conjunct(mp(by_angle(), assume(AVERAGED)), always)
     there = at(known, {theta: theta}, *map(assume, INSIDE))
@@ -59,7 +59,7 @@ def needed() -> Theorem:
     found = []
     for end, claim in ((pi, FAST), (S.Zero, SLOW)):
         value = claim.right - claim.left
-        limit = HERE.closed(tends(MARGIN.right, theta, end, value), square(1 - f))
+        limit = HERE.closed(tends(MARGIN.right, theta, end, value), square(1 - f_v))
         weak = prove_hyp(in_the_limit(at_an_angle(), theta, S.Zero, pi, limit), PI)
         found.append(HERE.closed(combined(claim, [weak])))
     return conj(*found)
@@ -71,7 +71,7 @@ def enough() -> Theorem:
     here = _there()
     above, below = cosine_bounds(theta)
     share = here.show(1 / (2 * T * SIZE) > 0)
-    rows = [share, square(1 + f), below, FAST], [share, square(1 - f), above, SLOW]
+    rows = [share, square(1 + f_v), below, FAST], [share, square(1 - f_v), above, SLOW]
     margin = here.closed(positive(always.body.of[1], *rows))
     at_rest = HERE.closed(positive(static, [K >= 0]))
     return HERE.closed(mp(by_angle(), conj(at_rest, for_all([theta], INSIDE, margin))))
@@ -88,8 +88,8 @@ def decides() -> Theorem:
 @cache
 def without_filter() -> Theorem:
     """What is passive by (6) is passive with every filter: it lets less through."""
-    given, share = assume(SIX), HERE.show(2 * f / (1 + f) >= 0)
-    less = HERE.show((1 - f) / (1 + f) > 0)
+    given, share = assume(SIX), HERE.show(2 * f_v / (1 + f_v) >= 0)
+    less = HERE.show((1 - f_v) / (1 + f_v) > 0)
     up, down = magnitude(B), magnitude(B, negative=True)
     push, brake = assume(B >= 0), positive(-B >= 0, B < 0)
     damped = conj(
@@ -109,7 +109,7 @@ def without_filter() -> Theorem:
 
 def gives_energy(point: Mapping[Any, Any], angle: Expr) -> Theorem:
     """That a wall in numbers is not passive behind whole periods of delay, by its margin there."""
-    claim, pole = LATE_AVERAGED.at(point), point[f]
+    claim, pole = LATE_AVERAGED.at(point), point[f_v]
     energy = filtered(claim.of[0], z ** point[d] * (z - pole), z, claim.of[1], theta)
     _, always = energy.conclusion.of[1].of  # type: ignore[attr-defined]
     inside = [fact(proposition(p).at({theta: angle})) for p in INSIDE]

@@ -6,14 +6,14 @@ from symhaptic.book.lemmas.decided import decided_by
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import PI, cosine_bounds
-from symhaptic.notation import M, b
+from symhaptic.notation import b, m_v
 from symhaptic.proof.theorems.energy import toeplitz
 from symhaptic.rules.other_loops import FREELY, HEAVY
 
-BOUND = proposition(b >= K * T / 2 + B + 2 * M / T)
-LIGHT = proposition(b * T / 2 >= M)
-MARGIN = proposition(b - K * T / 2 + B * cos(theta) + M * (cos(theta) - cos(2 * theta)) / T >= 0)
-HERE = Given(T > 0, B >= 0, M >= 0)
+BOUND = proposition(b >= K * T / 2 + B + 2 * m_v / T)
+LIGHT = proposition(b * T / 2 >= m_v)
+MARGIN = proposition(b - K * T / 2 + B * cos(theta) + m_v * (cos(theta) - cos(2 * theta)) / T >= 0)
+HERE = Given(T > 0, B >= 0, m_v >= 0)
 HERE.have(1 / T > 0)
 
 
@@ -26,7 +26,7 @@ def by_angle() -> Theorem:
 
 @cache
 def decides() -> Theorem:
-    """passive <=> the bound, for K, B, M >= 0."""
+    """passive <=> the bound, for K, B, m_v >= 0."""
     static, always = by_angle().conclusion.of[1].of  # type: ignore[attr-defined]
     above, below = cosine_bounds(theta)
     there = HERE.and_(*INSIDE, sine_of_half(theta), above, below)
@@ -41,8 +41,8 @@ def decides() -> Theorem:
     rows = (
         [share, BOUND],
         [share, B >= 0, above],
-        [share, share, M >= 0, above],
-        [2, share, share, M >= 0, turn],
+        [share, share, m_v >= 0, above],
+        [2, share, share, m_v >= 0, turn],
     )
     raw = there.closed(positive(always.body.of[1], *rows))
     at_rest = HERE.closed(positive(static, [K >= 0]))
@@ -52,7 +52,7 @@ def decides() -> Theorem:
 
 @cache
 def alone() -> Theorem:
-    """The same of a virtual mass without spring and damper: M <= bT/2."""
+    """The same of a virtual mass without spring and damper: m_v <= bT/2."""
     none = Eq(K, 0), Eq(B, 0)
     here = HERE.and_(*none)
     there = mp(decides(), here.show(BOUND, LIGHT))
@@ -62,9 +62,9 @@ def alone() -> Theorem:
 
 @cache
 def free() -> Theorem:
-    """Without delay a virtual mass of a free mass is stable <=> M < 2m, for M >= 0."""
+    """Without delay a virtual mass of a free mass is stable <=> m_v < 2m, for m_v >= 0."""
     place = Symbol("q")
-    found = decided_by(FREELY.at({d: S.Zero}), 2 * m > M, given=(M >= 0,))
+    found = decided_by(FREELY.at({d: S.Zero}), 2 * m > m_v, given=(m_v >= 0,))
     zero = show(Eq(S.Zero, d), Eq(d, 0))
     return subst(Iff((found.conclusion.of[0], FREELY.at({d: place}))), place, found, zero)
 
@@ -80,8 +80,8 @@ def gives_energy(point: Mapping[Any, Any]) -> Theorem:
 
 
 def swings_up(point: Mapping[Any, Any]) -> Theorem:
-    """That M < 2m does not decide about a delayed virtual mass in numbers."""
-    bound, stable = proposition(2 * m > M).at(point), FREELY.at(point)
+    """That m_v < 2m does not decide about a delayed virtual mass in numbers."""
+    bound, stable = proposition(2 * m > m_v).at(point), FREELY.at(point)
     same = Iff((bound, stable))
     outside = root_outside(stable.terms[0], z)
     return not_intro(mp(assume(same), number(bound)), outside, same)
