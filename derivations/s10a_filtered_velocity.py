@@ -43,7 +43,7 @@ def derive(page):
     turn = exp(I * theta)
     lag = (wall / (z - 1)).subs(z, turn)
     page.step(
-        "Of this wall the damper of the device has to bear at each angle",
+        "A filtered wall requires this damping of the device at each angle",
         -T * (lag + lag.subs(I, -I)) / 2,
         b - MARGIN.right,
         name=r"b_{\min}(\theta)",
@@ -83,14 +83,14 @@ def derive(page):
         "a delay (4) decides",
     )
     page.say(
-        "The filter takes out what the virtual damper does at high frequencies, where sampling "
-        "turns it into a drive: with $f_v=0.9$ a nineteenth of $B$ counts. This is a condition of "
-        "passivity alone. The same filter costs stability with a light device, see "
+        "The filter removes the virtual damper at high frequencies, where sampling makes it active. "
+        "With $f_v=0.9$ only a nineteenth of $B$ counts. This is a statement about passivity. For "
+        "the stability of a light device the same filter is a loss, see "
         "\\chapter{s10f_filtered_mass}."
     )
     claim = CLAIMED[PLAIN](STATEMENTS[PLAIN].printed)
     symbols, given, _ = taken_apart(claim)
-    found = page.lemma("What (6) allows is passive with every filter", without_filter())
+    found = page.lemma("A wall that meets (6) is passive with every filter", without_filter())
     given = [*given, Eq(d, 0)]
     late = {K: S.One, B: S.One / 8, b: Rational(3, 4), T: S.One, f_v: S.Half, d: S.One}
     page.settle(

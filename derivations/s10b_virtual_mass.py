@@ -40,15 +40,15 @@ def derive(page):
     )
     lag = (wall / (z - 1)).subs(z, exp(I * theta))
     page.step(
-        "Of this wall the damper of the device has to bear at each angle",
+        "A wall with a virtual mass requires this damping of the device at each angle",
         -T * (lag + lag.subs(I, -I)) / 2,
         b - MARGIN.right,
         name=r"b_{\min}(\theta)",
         because="by the balance of energy, $-T\\,\\Re\\{H/(z-1)\\}$ at $z=e^{j\\theta}$",
     )
     page.lemma(
-        "Such a wall is passive if and only if it does not pull and the damper burns enough at "
-        "each angle",
+        "A wall with a virtual mass is passive if and only if it does not pull and the damper "
+        "burns enough at each angle",
         by_angle(),
     )
     page.step(
@@ -105,7 +105,7 @@ def _free(page):
     mu = m_v / m
     response = mass.numerator / mass.denominator * mu * (1 - 1 / z) ** 2
     page.step(
-        "The drift of a free mass cancels against the virtual mass, behind $d$ periods too",
+        "The drift of a free mass cancels against the virtual mass",
         z ** (d + 2) * (1 + response * z**-d),
         z ** (d + 2) + mu / 2 * (z + 1),
         name="p_M(z)",

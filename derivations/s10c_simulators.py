@@ -81,7 +81,7 @@ def _steps(page):
         name=r"\det(z-A_{\text{semi}})",
     )
     page.step(
-        "The loop of explicit Euler has this one",
+        "The loop of explicit Euler has this polynomial",
         (z * eye(2) - (eye(2) + rate - push * wall)).det(),
         z**2 + (beta - 2) * z + 1 - beta + alpha,
         name=r"\det(z-A_{\text{explicit}})",
@@ -151,7 +151,7 @@ def _held(page):
     symbols, given, _ = taken_apart(CLAIMED[HELD]((right,)))
     page.say(
         "A device differs from a simulator in two ways. Its force is held while it moves, and its "
-        "velocity is the difference of two samples. Both come half a period late:"
+        "velocity is the difference of two samples. Each of them delays the wall by half a period:"
     )
     page.step(
         "The simulator's bound is this many times that of a free mass without delay",

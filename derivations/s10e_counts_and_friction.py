@@ -51,8 +51,8 @@ def derive(page):
         because="$\\max(x+p_k,0)^2\\le(\\max(x,0)+p_k)^2$, and $\\max$ makes no distance larger",
     )
     page.say(
-        "Neither bound can be missed by much. A hand that swings by $2h$ across the edge of a "
-        "count always meets the lower force on its way up and the higher one on its way down:"
+        "Both bounds are sharp. A hand that swings by $2h$ across the edge of a count meets the "
+        "lower force on its way up and is pushed by the higher one on its way down:"
     )
     page.step(
         "A small swing across the edge of a count leaves this energy",
@@ -61,11 +61,11 @@ def derive(page):
         because="negative for $K\\Delta_x>2f_c$ and a small $h$; repeated, it gains without end",
     )
     page.lemma(
-        "Beyond $2f_c/\\Delta_x$ some motion gains energy, whatever the damper",
+        "Some motion gains energy beyond $2f_c/\\Delta_x$, with any damper",
         across_a_count(FORCES[1]),
     )
     page.lemma(
-        "Beyond $2b/T$ some motion gains energy, whatever the friction",
+        "Some motion gains energy beyond $2b/T$, with any friction",
         across_many(FORCES[1]),
         because="a swing over many counts, with a loss that grows with the square of the way",
     )

@@ -46,7 +46,7 @@ def derive(page):
         because="the filter takes the place of the sample before",
     )
     page.lemma(
-        "For $m=T=1$ it is stable just within these bounds",
+        "For $m=T=1$ a free mass with a filtered velocity is stable just within these bounds",
         in_units(),
         because="the last of Jury's inequalities is the quadratic one, and no negative damping "
         "meets it together with the others",
@@ -85,10 +85,9 @@ def _tangent(page, printed):
         below_the_tangent(*printed),
     )
     page.say(
-        "The line is that of a wall without filter. For slow motions the spring is what drives, "
-        "and the spring is not filtered; that the damper comes late matters to the second order "
-        "only. A delay of the whole wall is different: it turns the line to "
-        "$K=B/(\\frac12T+t_d)$."
+        "This is the tangent of a wall without filter. Slow motions are driven by the delay of the "
+        "spring, and the spring is not filtered. The delay of the damper has an effect of second "
+        "order. A delay of the whole wall is different: its tangent is $K=B/(\\frac12T+t_d)$."
     )
 
 

@@ -33,7 +33,7 @@ def derive(page):
     for theorem, of in zip(
         exponentials(), ("the first", "the second", "the third", "the last"), strict=True
     ):
-        page.lemma(f"They are, by four inequalities of the exponential: {of}", theorem)
+        page.lemma(f"The exponential lies above these bounds: {of}", theorem)
     claim = CLAIMED[RULE](STATEMENTS[RULE].printed)
     symbols, given, _ = taken_apart(claim)
     found = page.lemma(
@@ -50,17 +50,20 @@ def derive(page):
         "farther out, and there the same delay costs more than the lag",
     )
     page.say(
-        "Counted as a delay, a lag is overestimated. A delay passes on all frequencies; the lag "
-        "takes out the high ones, at which a delayed wall first becomes unstable."
+        "Farther from the origin a lag costs less than the same delay. A delay transmits all "
+        "frequencies; a lag attenuates the high ones, at which a delayed wall becomes unstable."
     )
     page.lemma(
         "With a lag of one period $K=\\frac{18}{100}$, $B=\\frac{56}{100}$ is stable for $m=T=1$",
         holds(LAGGING, wall),
     )
     late = {alpha: wall[K], beta: wall[B], gamma: S.Zero, delta: S.Zero, d: S.One}
-    page.lemma("Delayed by one period it is not", outside(late))
     page.lemma(
-        "With $B=\\frac{56}{100}$ and this lag $K=\\frac15$ grows, half of what the line allows",
+        "With a delay of one period $K=\\frac{18}{100}$, $B=\\frac{56}{100}$ is not stable",
+        outside(late),
+    )
+    page.lemma(
+        "With a lag of one period $K=\\frac15$, $B=\\frac{56}{100}$ is not stable",
         escapes(LAGGING, wall | {K: Rational(1, 5)}),
     )
     slow = {K: Rational(4, 100), B: S.Half, T: S.One, m: S.One, tau_a: S(5)}
@@ -69,7 +72,9 @@ def derive(page):
         holds(LAGGING, slow),
     )
     late = late | {alpha: slow[K], beta: slow[B], d: S(5)}
-    page.lemma("Delayed by five periods it is not", outside(late))
+    page.lemma(
+        "With a delay of five periods $K=\\frac4{100}$, $B=\\frac12$ is not stable", outside(late)
+    )
 
 
 def _loop(page):

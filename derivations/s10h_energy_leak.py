@@ -24,8 +24,8 @@ LEAK, DELAY = "rules:energy-leak", "rules:delay-damping"
 def derive(page):
     page.say(
         "A device that moves at the speed $v$ goes $vT$ in a period. The spring pushes with the "
-        "force of the position $x$ at its start, and with that of the sample before if it is "
-        "delayed by a period. On the way in, it takes less than it stores:"
+        "force of the position $x$ at its start, or of the sample before if it is delayed by a "
+        "period. On the way in the hand works less than the spring will return:"
     )
     page.step(
         "In a period the spring gives away half of $K(vT)^2$",
@@ -45,9 +45,8 @@ def derive(page):
         K * T / (2 * b),
     )
     page.say(
-        "The way in and the way back both lose: the force is behind the position either way. At "
-        "constant speed the loss is this large; that no motion makes a spring lose more is what "
-        "has to be shown."
+        "On the way back the spring gives more than it should, by the same amount. This is a "
+        "calculation for constant speed. It remains to show that no other motion gains more."
     )
     claim = CLAIMED[DELAY](STATEMENTS[DELAY].printed)
     symbols, given, then = taken_apart(claim)

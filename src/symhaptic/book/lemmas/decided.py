@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.loops.velocity import Ratio
 
 SI = Given(m > 0, T > 0)
 for scale in T**2 / m > 0, T / m > 0, 1 / m > 0, m / T**2 > 0, m / T > 0, 1 / T > 0:
@@ -30,10 +29,8 @@ def escapes(stable: Proposition, point: Mapping[Any, Any]) -> Theorem:
     return root_outside(there.terms[0], z)
 
 
-def in_z(ratio: Ratio) -> Expr:
-    """A ratio of the parts of a loop as a function of z."""
-    above, below = (
-        Add(*(c * (z - 1) ** n for n, c in enumerate(side)))
-        for side in (ratio.numerator, ratio.denominator)
-    )
-    return above / (below * z**ratio.late)
+def in_z(ratio: tuple[Sequence[Any], Sequence[Any], int]) -> Expr:
+    """A ratio of the parts of a loop, polynomials in z - 1 over z^late, as a function of z."""
+    *sides, late = ratio
+    above, below = (Add(*(c * (z - 1) ** n for n, c in enumerate(side))) for side in sides)
+    return above / (below * z**late)
