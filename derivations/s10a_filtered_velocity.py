@@ -1,8 +1,8 @@
 r"""Which walls are passive if the velocity is filtered?
 
 Most controllers smooth the difference of two samples by an exponential average,
-$v_k=f_v\,v_{k-1}+(1-f_v)(x_k-x_{k-1})/T$ with a pole $0\le f_v<1$. How much damping does the device need
-then, and is what is safe without the filter safe with it?
+$v_k=f_v\,v_{k-1}+(1-f_v)(x_k-x_{k-1})/T$ with a pole $0\le f_v<1$. How much damping does the
+device need then, and is a wall that is passive without the filter passive with it?
 """
 
 from sympy import Eq, I, Rational, S, cos, exp, pi
@@ -83,8 +83,8 @@ def derive(page):
         "a delay (4) decides",
     )
     page.say(
-        "The filter removes the virtual damper at high frequencies, where sampling makes it active. "
-        "With $f_v=0.9$ only a nineteenth of $B$ counts. This is a statement about passivity. For "
+        "The filter removes the virtual damper at high frequencies, where sampling makes it "
+        "active. With $f_v=0.9$ only a nineteenth of $B$ counts. This is a statement about passivity. For "
         "the stability of a light device the same filter is a loss, see "
         "\\chapter{s10f_filtered_mass}."
     )

@@ -80,7 +80,7 @@ def filtered(
     higher degree; that all zeros of D lie inside is a hypothesis.
     """
     response, damping, below = term(response), term(damping), term(denominator)
-    if {variable, angle} & damping.free_symbols or angle in response.free_symbols | below.free_symbols:
+    if {variable, angle} & damping.free_symbols or angle in (response + below).free_symbols:
         raise NotShown("the angle and the variable are bound")
     if not real(damping):
         raise NotShown(f"{damping} is not real by its form")
