@@ -84,8 +84,8 @@ def derive(page):
     )
     page.say(
         "The filter removes the virtual damper at high frequencies, where sampling makes it "
-        "active. With $f_v=0.9$ only a nineteenth of $B$ counts. This is a statement about passivity. For "
-        "the stability of a light device the same filter is a loss, see "
+        "active. With $f_v=0.9$ only a nineteenth of $B$ counts. This is a statement about "
+        "passivity. For the stability of a light device the same filter is a loss, see "
         "\\chapter{s10f_filtered_mass}."
     )
     claim = CLAIMED[PLAIN](STATEMENTS[PLAIN].printed)
