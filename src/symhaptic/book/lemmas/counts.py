@@ -10,8 +10,8 @@ from symhaptic.proof.theorems.energy import counted, dissipates, swings
 from symhaptic.proof.theorems.familiar import with_rest
 from symhaptic.rules.other_loops import SPRING, WALL
 
-SAMPLED = proposition(2 * b / T >= K)
-COUNTED = proposition(2 * f_c / Delta_x >= K)
+SAMPLED: Any = proposition(2 * b / T >= K)
+COUNTED: Any = proposition(2 * f_c / Delta_x >= K)
 BOUNDS = And((SAMPLED, COUNTED))
 BESIDE = (b, f_c, T, Delta_x)
 FORCES = (SPRING, WALL)

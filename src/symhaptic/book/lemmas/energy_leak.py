@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.linear_part import HALF, passive_below
+from symhaptic.book.lemmas.chords import HALF
+from symhaptic.book.lemmas.linear_part import passive_below
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import limits
 from symhaptic.notation import b

@@ -8,9 +8,9 @@ from symhaptic.notation import f_v, tau_f
 from symhaptic.rules.other_loops import AVERAGING, LOW_PASS, POLE
 
 UNITS = {T: S.One, m: S.One}
-LOOP = AVERAGING.at(UNITS)
+LOOP: Any = AVERAGING.at(UNITS)
 LEFT = f_v * (1 + f_v) * K**2 + (1 - f_v) * (2 * (1 - f_v) + (1 + 3 * f_v) * B) * K
-QUADRATIC = proposition(2 * (1 - f_v) ** 2 * B * (2 - B) - LEFT > 0)
+QUADRATIC: Any = proposition(2 * (1 - f_v) ** 2 * B * (2 - B) - LEFT > 0)
 """The last of Jury's inequalities for m = T = 1, which is quadratic in the stiffness."""
 
 BOUNDS = And((proposition(K > 0), proposition(B > 0), QUADRATIC))

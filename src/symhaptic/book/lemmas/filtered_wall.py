@@ -11,14 +11,14 @@ from symhaptic.proof.theorems.energy import filtered
 from symhaptic.proof.theorems.familiar import linear
 from symhaptic.rules.other_loops import AVERAGED, LATE_AVERAGED, POLE
 
-FAST = proposition(b >= K * T / 2 + B * (1 - f_v) / (1 + f_v))
-SLOW = proposition(b >= K * T / 2 - B)
+FAST: Any = proposition(b >= K * T / 2 + B * (1 - f_v) / (1 + f_v))
+SLOW: Any = proposition(b >= K * T / 2 - B)
 """What motions near Nyquist's frequency and slow motions ask for."""
 
 SIZE = 1 - 2 * f_v * cos(theta) + f_v**2
 """|z - f_v|^2 on the circle."""
 
-MARGIN = proposition(b - K * T / 2 + B * (1 - f_v) * (cos(theta) - f_v) / SIZE >= 0)
+MARGIN: Any = proposition(b - K * T / 2 + B * (1 - f_v) * (cos(theta) - f_v) / SIZE >= 0)
 """Of the virtual damping that is filtered a part counts as a damper at an angle."""
 
 HERE = Given(T > 0, *POLE)
@@ -109,12 +109,14 @@ def without_filter() -> Theorem:
 
 def gives_energy(point: Mapping[Any, Any], angle: Expr) -> Theorem:
     """That a wall in numbers is not passive behind whole periods of delay, by its margin there."""
-    claim, pole = LATE_AVERAGED.at(point), point[f_v]
+    claim: Any = LATE_AVERAGED.at(point)
+    pole = point[f_v]
     energy = filtered(claim.of[0], z ** point[d] * (z - pole), z, claim.of[1], theta)
     _, always = energy.conclusion.of[1].of  # type: ignore[attr-defined]
     inside = [fact(proposition(p).at({theta: angle})) for p in INSIDE]
     there = at(assume(always), {theta: angle}, *inside)
-    never = not_intro(there, number(negated(there.conclusion)), always)
+    margin: Any = there.conclusion
+    never = not_intro(there, number(negated(margin)), always)
     found = denied_by(energy, not_all(energy.conclusion.of[1], never))  # type: ignore[attr-defined]
     [fades] = found.hypotheses
     return closed(found, roots_inside(fades.of[0], z, {}))  # type: ignore[attr-defined]

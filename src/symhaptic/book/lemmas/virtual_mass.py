@@ -10,9 +10,11 @@ from symhaptic.notation import b, m_v
 from symhaptic.proof.theorems.energy import toeplitz
 from symhaptic.rules.other_loops import FREELY, HEAVY
 
-BOUND = proposition(b >= K * T / 2 + B + 2 * m_v / T)
+BOUND: Any = proposition(b >= K * T / 2 + B + 2 * m_v / T)
 LIGHT = proposition(b * T / 2 >= m_v)
-MARGIN = proposition(b - K * T / 2 + B * cos(theta) + m_v * (cos(theta) - cos(2 * theta)) / T >= 0)
+MARGIN: Any = proposition(
+    b - K * T / 2 + B * cos(theta) + m_v * (cos(theta) - cos(2 * theta)) / T >= 0
+)
 HERE = Given(T > 0, B >= 0, m_v >= 0)
 HERE.have(1 / T > 0)
 
@@ -66,7 +68,8 @@ def free() -> Theorem:
     place = Symbol("q")
     found = decided_by(FREELY.at({d: S.Zero}), 2 * m > m_v, given=(m_v >= 0,))
     zero = show(Eq(S.Zero, d), Eq(d, 0))
-    return subst(Iff((found.conclusion.of[0], FREELY.at({d: place}))), place, found, zero)
+    bound = found.conclusion.of[0]  # type: ignore[attr-defined]
+    return subst(Iff((bound, FREELY.at({d: place}))), place, found, zero)
 
 
 def gives_energy(point: Mapping[Any, Any]) -> Theorem:
