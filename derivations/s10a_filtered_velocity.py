@@ -24,7 +24,7 @@ from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
-FILTERED, PLAIN = "rules:filtered-damping", "rules:undelayed-damping"
+FILTERED, PLAIN = "rules:average-damping", "rules:plain-damping"
 
 
 def derive(page):

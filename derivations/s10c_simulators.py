@@ -22,8 +22,8 @@ from symhaptic.rules.other_loops import EXPLICIT, SEMI_IMPLICIT
 SEMI, PLAIN, BOTH, ONE, HELD = (
     f"rules:{name}"
     for name in (
-        *("semi-implicit-euler", "explicit-euler", "both-below-two", "one-mass"),
-        "simulated-stiffness",
+        *("semi-implicit-euler", "euler-explicit", "both-below-two", "one-mass"),
+        "euler-for-devices",
     )
 )
 POINT = {K: S.One, B: S.Half, T: S.One, m: S.One}

@@ -18,7 +18,7 @@ from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 from symhaptic.rules.other_loops import MEASURED
 
-KNOWN, TAKEN = "rules:measured-velocity", "rules:two-dampings"
+KNOWN, TAKEN = "rules:known-velocity", "rules:two-dampings"
 RIGHT = r"K < \frac{2B(2m-BT)}{T(2m+BT)}"
 
 

@@ -26,7 +26,7 @@ from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 from symhaptic.rules.other_loops import LOW_PASS
 
-EXACT, DELAY = "rules:filtered-mass", "rules:filter-as-delay"
+EXACT, DELAY = "rules:low-pass-mass", "rules:filter-as-delay"
 
 
 def derive(page):

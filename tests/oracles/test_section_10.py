@@ -46,7 +46,7 @@ def test_a_filtered_wall_takes_just_this_damping(f, B):
 
 @guards("s10a_filtered_velocity")
 def test_the_counterexample_gives_energy_away_behind_its_delay():
-    at = page("s10a_filtered_velocity").settled["rules:undelayed-damping"].verdict.counterexample
+    at = page("s10a_filtered_velocity").settled["rules:plain-damping"].verdict.counterexample
     K, B, b, T, f, d = (eval(at[name]) for name in ("K", "B", "b", "T", "f_v", "d"))
     law = [0.0] * d + filtered(f, K, B, T)
     assert b > K * T / 2 + abs(B)

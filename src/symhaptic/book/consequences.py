@@ -126,10 +126,10 @@ RULES: dict[str, str] = {
     "rules:two-masses": "As for four masses: without damping every stiffness swings up.",
     "rules:damped-contact": "Use $2B(2m-BT)/(T(2m+BT))$, which allows nothing from $BT=2m$ on; "
     "the rule still does there, up to $BT=4m$.",
-    "rules:simulated-stiffness": "What a simulator bears is at least twice what a device bears; "
+    "rules:euler-for-devices": "What a simulator bears is at least twice what a device bears; "
     "with little damping, any number of times.",
     "rules:two-dampings": "For a wall that computes the velocity use $2B(2m-BT)/(T(2m+BT))$.",
-    "rules:undelayed-damping": "With a filter this is safe, and with a delay it is not: use (9) or "
+    "rules:plain-damping": "With a filter this is safe, and with a delay it is not: use (9) or "
     "(11).",
     "rules:virtual-mass": "Beside a spring and a damper keep to $b\\ge KT/2+B+2M/T$.",
     "rules:virtual-mass-stable": "With a delay of one period keep to 62 per cent of it.",

@@ -55,14 +55,14 @@ LATE_AVERAGED = Predicate("passive", (z,), (AVERAGED.of[0] * z**-d, b / T))
 PULLS_NOT = (T > 0, b >= 0, K >= 0)
 
 
-@claims("rules:filtered-damping")
+@claims("rules:average-damping")
 def _filtered_damping(printed: Printed) -> Proposition:
     """Both bounds together say which walls that do not pull are passive."""
     given = [*PULLS_NOT, *POLE]
     return ForAll((K, B, b, T, f_v), implied(given, Iff((both(printed), AVERAGED))))
 
 
-@claims("rules:undelayed-damping")
+@claims("rules:plain-damping")
 def _undelayed_damping(printed: Printed) -> Proposition:
     """What makes a wall passive without filter and delay is enough with both."""
     given = [*PULLS_NOT, *POLE, whole(d), *printed]
@@ -147,17 +147,17 @@ def _semi_implicit(printed: Printed) -> Proposition:
     return _decides(printed, SEMI_IMPLICIT)
 
 
-@claims("rules:explicit-euler")
+@claims("rules:euler-explicit")
 def _explicit(printed: Printed) -> Proposition:
     return _decides(printed, EXPLICIT)
 
 
-@claims("rules:measured-velocity")
+@claims("rules:known-velocity")
 def _measured(printed: Printed) -> Proposition:
     return _decides(printed, MEASURED)
 
 
-@claims("rules:filtered-mass")
+@claims("rules:low-pass-mass")
 def _filtered_mass(printed: Printed) -> Proposition:
     given = [T > 0, m > 0, tau_f >= 0]
     return ForAll((K, B, T, m, tau_f), implied(given, Iff((both(printed), LOW_PASS))))

@@ -45,7 +45,7 @@ RULES = (
         condition=True,
     ),
     Statement(
-        "rules:simulated-stiffness",
+        "rules:euler-for-devices",
         "the limit of a simulator, used for a device",
         "a stiffness below the limit of a simulator is stable for a free mass without delay",
         (r"K < \frac{4m}{T^2} - \frac{2B}{T}",),
@@ -64,7 +64,7 @@ RULES = (
 
 OTHER_LOOPS = (
     Statement(
-        "rules:filtered-damping",
+        "rules:average-damping",
         "for a damper that takes an exponential average of the velocity, with the pole $f_v$",
         "the damping of the device outweighs the stiffness and the part of the virtual damping "
         "that the filter lets through",
@@ -72,7 +72,7 @@ OTHER_LOOPS = (
         condition=True,
     ),
     Statement(
-        "rules:undelayed-damping",
+        "rules:plain-damping",
         "Colgate and Schenkel, 1997, used for walls with a filter and with a delay",
         "a wall that is passive with the plain difference of two samples is passive",
         (r"b > \frac{KT}{2} + |B|",),
@@ -107,7 +107,7 @@ OTHER_LOOPS = (
         condition=True,
     ),
     Statement(
-        "rules:explicit-euler",
+        "rules:euler-explicit",
         "simulation code, for steps $v'=v+TF/m$, $x'=x+Tv$",
         "a spring and a damper between a mass and a point are stable just within these bounds",
         (r"0 < K < \frac{B}{T}", r"\frac{2B}{T} - \frac{4m}{T^2} < K"),
@@ -128,14 +128,14 @@ OTHER_LOOPS = (
         condition=True,
     ),
     Statement(
-        "rules:measured-velocity",
+        "rules:known-velocity",
         "for a wall that is given the velocity of the device",
         "a free mass without delay is stable just within these bounds",
         (r"0 < K < \frac{2B}{T}", r"B < \frac{2m}{T}"),
         condition=True,
     ),
     Statement(
-        "rules:filtered-mass",
+        "rules:low-pass-mass",
         "for a damper behind a low-pass filter, $1/(\\tau_fs+1)$ by backward Euler",
         "a free mass without delay is stable just within these bounds",
         (

@@ -50,7 +50,7 @@ MEANT: dict[str, Any] = {
     "rules:four-masses": sp.Eq(B, 0),
     "rules:two-masses": sp.Eq(B, 0),
     **dict.fromkeys(
-        ("rules:damped-contact", "rules:simulated-stiffness", "rules:two-dampings"),
+        ("rules:damped-contact", "rules:euler-for-devices", "rules:two-dampings"),
         (B > 0) & sp.Eq(b, 0) & sp.Eq(k, 0) & sp.Eq(t_d, 0),
     ),
 }
@@ -62,7 +62,7 @@ CHAPTERS = {
     "rules:four-masses": "s8c_four_masses",
     "rules:two-masses": "s8d_two_masses",
     "rules:damped-contact": "s8e_damped_contact",
-    "rules:simulated-stiffness": "s10c_simulators",
+    "rules:euler-for-devices": "s10c_simulators",
     "rules:two-dampings": "s10d_measured_velocity",
 }
 
