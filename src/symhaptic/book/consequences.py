@@ -126,6 +126,21 @@ RULES: dict[str, str] = {
     "rules:two-masses": "As for four masses: without damping every stiffness swings up.",
     "rules:damped-contact": "Use $2B(2m-BT)/(T(2m+BT))$, which allows nothing from $BT=2m$ on; "
     "the rule still does there, up to $BT=4m$.",
+    "rules:euler-for-devices": "What a simulator bears is at least twice what a device bears; "
+    "with little damping, any number of times.",
+    "rules:two-dampings": "For a wall that computes the velocity use $2B(2m-BT)/(T(2m+BT))$.",
+    "rules:plain-damping": "With a filter this is safe, and with a delay it is not: use (9) or "
+    "(11).",
+    "rules:virtual-mass": "Beside a spring and a damper keep to $b\\ge KT/2+B+2M/T$.",
+    "rules:virtual-mass-stable": "With a delay of one period keep to 62 per cent of it.",
+    "rules:both-below-two": "Check the bound of your integrator: $K<4m/T^2-2B/T$ for semi-implicit "
+    "Euler, and for explicit Euler $K<B/T$.",
+    "rules:one-mass": "For semi-implicit Euler with $B\\le3m/(2T)$ only; it says nothing of a "
+    "device.",
+    "rules:filter-as-delay": "Count a filter of the velocity as a delay only up to "
+    "$B=2m\\tau_f/(T(T+4\\tau_f))$; beyond, use the bound of \\chapter{s10f_filtered_mass}.",
+    "rules:energy-leak": "With a delay of $d$ periods the damper needs $2d+1$ times as much.",
+    "rules:delay-damping": "Round a fractional delay up to whole periods.",
 }
 """The same of the rules in circulation, which are no errata of the paper."""
 

@@ -84,6 +84,14 @@ PARTS = (
         "chapter says which rule to use when.",
     ),
     Part(
+        "Other loops",
+        ("10",),
+        "Real loops filter their velocity, turn a mass over in a simulator, count the position in "
+        "steps of an encoder, or drive it with an actuator that lags. Each chapter of this part "
+        "derives one such loop from physics, finds which of its walls are passive or stable, and "
+        "asks what the rules in circulation are worth there.",
+    ),
+    Part(
         "Forms for computing",
         ("9",),
         "A formula that is right may still be useless to a computer: where it is 0/0, and close to "

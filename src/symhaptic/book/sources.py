@@ -24,6 +24,7 @@ from symhaptic.paper.reading import Printed, Unreadable, read, sides_of, signs_o
 from symhaptic.paper.statement import Source, Statement
 from symhaptic.proof.theorems.judge import of_print, taken_apart
 from symhaptic.rules import claims as _claims  # noqa: F401  registered there
+from symhaptic.rules import other_loops as _other_loops  # noqa: F401  registered there, too
 
 PAPER = Source(
     "",

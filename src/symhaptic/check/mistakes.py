@@ -22,7 +22,7 @@ from symhaptic.check.checked import Checked, Point, exact
 from symhaptic.notation import alpha, beta, gamma
 from symhaptic.paper import STATEMENTS
 from symhaptic.proof.mutants import mutants
-from symhaptic.rules import STATEMENTS as RULES
+from symhaptic.rules import PLAIN as RULES
 
 Columns = list[Any]
 

@@ -95,6 +95,13 @@ _TABLE = [
     ("F_E", "F_E", "N", "real", "external force"),
     ("X", "X", "m/N", "complex", "answer of the device: a held force z^k moves it to X z^k"),
     ("X_d", "X_d", "m/N", "complex", "its answer to a force that comes d periods late"),
+    # parts beyond the paper's loop
+    ("f_v", "f_v", "1", "[0, 1]", "pole of the filter of the velocity"),
+    ("tau_f", r"\tau_f", "s", "nonnegative", "time constant of the filter of the velocity"),
+    ("m_v", "m_v", "kg", "real", "virtual mass"),
+    ("Delta_x", r"\Delta_x", "m", "positive", "resolution of the encoder"),
+    ("f_c", "f_c", "N", "nonnegative", "Coulomb friction of the device"),
+    ("tau_a", r"\tau_a", "s", "positive", "time constant of the actuator"),
     # transforms and frequencies
     ("s", "s", "1/s", "complex", "Laplace variable"),
     ("z", "z", "1", "complex", "variable of the z-transform"),

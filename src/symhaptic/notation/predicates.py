@@ -46,6 +46,15 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
         "the hand that moves a device from rest, $v=0$, does no negative work against its store "
         "$E$ of the speed $v$ at the end, here that of a mass, its damping $b$ and the same wall",
     ),
+    "passive_counted": (
+        *(1, 5),
+        r"\text{{no motion gains energy from}}\allowbreak\ F({s})={0}"
+        r"\allowbreak\ \text{{beside}}\ ({1},{2}),\allowbreak\ "
+        r"\text{{sampled every}}\ {3}\ \text{{in counts of}}\ {4}",
+        "whatever the motion from rest at $x=0$, $\\sum_kF(y_k)p_k+\\int(bv^2+f_c|v|)\\,dt\\ge0$ "
+        "at its end; $p_k$ is the displacement in period $k$, and $y_k$ a multiple of $\\Delta$ "
+        "nearest to the position at its start, whose force $F$ is held for the period $T$",
+    ),
     "stable_loop": (
         *(0, 5),
         r"\mathrm{{stable}}({0},{1},{2},{3},{4})",
@@ -123,6 +132,7 @@ TERMS: dict[str, tuple[str, ...]] = {
     "passive": (r"h_0+h_1/z+\ldots", "c"),
     "passive_wall": ("K", "B", "b", "T", "d"),
     "passive_device": ("mv^2/2", "K", "B", "b", "T", "d"),
+    "passive_counted": ("F(y)", "b", "f_c", "T", r"\Delta"),
     "stable_loop": (r"\alpha", r"\beta", r"\gamma", r"\delta", "d"),
     "stable_substituted": (r"\alpha", r"\beta", r"\gamma", r"\delta", "d"),
     "stable_principal": (r"\alpha", r"\beta", r"\gamma", r"\delta", "d"),

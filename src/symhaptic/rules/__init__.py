@@ -7,8 +7,11 @@ devices with what is published of them.  Nothing is computed here and nothing is
 
 from __future__ import annotations
 
-from symhaptic.rules.statements import RULES, SOURCE
+from symhaptic.rules.statements import OTHER_LOOPS, RULES, SOURCE
 
-STATEMENTS = {s.id: s for s in RULES}
+PLAIN = {s.id: s for s in RULES}
+"""Limits of the stiffness for the paper's loop."""
 
-__all__ = ["SOURCE", "STATEMENTS"]
+STATEMENTS = PLAIN | {s.id: s for s in OTHER_LOOPS}
+
+__all__ = ["PLAIN", "SOURCE", "STATEMENTS"]

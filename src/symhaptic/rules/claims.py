@@ -41,7 +41,7 @@ def _springs(printed: Printed) -> Proposition:
     return allowed(printed, sp.Eq(B, 0))
 
 
-@claims("rules:damped-contact")
+@claims("rules:damped-contact", "rules:euler-for-devices", "rules:two-dampings")
 def _damped_contact(printed: Printed) -> Proposition:
     """For a free mass without delay, as long as B > 0."""
     return allowed(printed, B > 0, sp.Eq(b, 0), sp.Eq(k, 0), sp.Eq(d, 0))

@@ -44,5 +44,144 @@ RULES = (
         (r"K < \frac{2B}{T} - \frac{B^2T}{2m}",),
         condition=True,
     ),
+    Statement(
+        "rules:euler-for-devices",
+        "the limit of a simulator, used for a device",
+        "a stiffness below the limit of a simulator is stable for a free mass without delay",
+        (r"K < \frac{4m}{T^2} - \frac{2B}{T}",),
+        condition=True,
+    ),
+    Statement(
+        "rules:two-dampings",
+        "the limit for a measured velocity, used for the difference of two samples",
+        "a stiffness below twice the virtual damping over the period is stable for a free mass "
+        "without delay",
+        (r"K < \frac{2B}{T}",),
+        condition=True,
+    ),
 )
 """What each of them says; where no delay is named, none is meant to matter."""
+
+OTHER_LOOPS = (
+    Statement(
+        "rules:average-damping",
+        "for a damper that takes an exponential average of the velocity, with the pole $f_v$",
+        "the damping of the device outweighs the stiffness and the part of the virtual damping "
+        "that the filter lets through",
+        (r"b \geq \frac{KT}{2} + B\frac{1-f_v}{1+f_v}", r"b \geq \frac{KT}{2} - B"),
+        condition=True,
+    ),
+    Statement(
+        "rules:plain-damping",
+        "Colgate and Schenkel, 1997, used for walls with a filter and with a delay",
+        "a wall that is passive with the plain difference of two samples is passive",
+        (r"b > \frac{KT}{2} + |B|",),
+        condition=True,
+    ),
+    Statement(
+        "rules:virtual-mass",
+        "design notes of haptic software",
+        "a virtual mass is passive up to half of the damping times the period",
+        (r"m_v \leq \frac{bT}{2}",),
+        condition=True,
+    ),
+    Statement(
+        "rules:virtual-wall",
+        "for a virtual mass beside spring and damper",
+        "the damping of the device outweighs spring, damper and virtual mass together",
+        (r"b \geq \frac{KT}{2} + B + \frac{2m_v}{T}",),
+        condition=True,
+    ),
+    Statement(
+        "rules:virtual-mass-stable",
+        "design notes of haptic software",
+        "a virtual mass is stable up to twice the mass of the device",
+        (r"m_v < 2m",),
+        condition=True,
+    ),
+    Statement(
+        "rules:semi-implicit-euler",
+        "simulation code, for steps $v'=v+TF/m$, $x'=x+Tv'$",
+        "a spring and a damper between a mass and a point are stable just within these bounds",
+        (r"0 < K < \frac{4m}{T^2} - \frac{2B}{T}", r"B > 0"),
+        condition=True,
+    ),
+    Statement(
+        "rules:euler-explicit",
+        "simulation code, for steps $v'=v+TF/m$, $x'=x+Tv$",
+        "a spring and a damper between a mass and a point are stable just within these bounds",
+        (r"0 < K < \frac{B}{T}", r"\frac{2B}{T} - \frac{4m}{T^2} < K"),
+        condition=True,
+    ),
+    Statement(
+        "rules:both-below-two",
+        "checks of gains in simulation code",
+        "a spring and a damper are stable in a simulator if each is, by itself, below two",
+        (r"\frac{KT^2}{m} < 2", r"\frac{BT}{m} < 2"),
+        condition=True,
+    ),
+    Statement(
+        "rules:one-mass",
+        "simulation code with semi-implicit Euler",
+        "a stiffness below one mass over the squared period is stable",
+        (r"K < \frac{m}{T^2}",),
+        condition=True,
+    ),
+    Statement(
+        "rules:known-velocity",
+        "for a wall that is given the velocity of the device",
+        "a free mass without delay is stable just within these bounds",
+        (r"0 < K < \frac{2B}{T}", r"B < \frac{2m}{T}"),
+        condition=True,
+    ),
+    Statement(
+        "rules:low-pass-mass",
+        "for a damper behind a low-pass filter, $1/(\\tau_fs+1)$ by backward Euler",
+        "a free mass without delay is stable just within these bounds",
+        (
+            r"K > 0",
+            r"B > 0",
+            r"\tau_f(T+2\tau_f)K^2 + (2m+B(T+4\tau_f))K < \frac{2B(2m-BT)}{T}",
+        ),
+        condition=True,
+    ),
+    Statement(
+        "rules:filter-as-delay",
+        "for a damper behind a low-pass filter, which is counted as a delay",
+        "a stiffness below the damping over all delays, that of the filter included, is stable "
+        "for a free mass",
+        (r"K < \frac{B}{T/2+\tau_f}",),
+        condition=True,
+    ),
+    Statement(
+        "rules:lag-as-delay",
+        "for an actuator that lags, which is counted as a delay",
+        "no stiffness above the damping over all delays, that of the lag included, is stable for "
+        "a free mass",
+        (r"K < \frac{B}{T/2+\tau_a}",),
+        condition=True,
+    ),
+    Statement(
+        "rules:counts-and-friction",
+        "Abbott and Okamura, 2005, for $B=0$",
+        "damping takes what sampling gives, and friction what the counts of an encoder give",
+        (r"K \leq \frac{2b}{T}", r"K \leq \frac{2f_c}{\Delta_x}"),
+        condition=True,
+    ),
+    Statement(
+        "rules:energy-leak",
+        "open courses, for $B=0$",
+        "a spring that is moved at the speed $v$ gives away $K(vT)^2/2$ in a period, and a damper "
+        "burns $bv^2T$; the wall is passive as long as their ratio is at most one",
+        (r"\frac{KT}{2b} \leq 1",),
+        condition=True,
+    ),
+    Statement(
+        "rules:delay-damping",
+        "open courses, for $B=0$",
+        "a delay takes as much damping as its share of the stiffness, beside that of the hold",
+        (r"b \geq \frac{KT}{2} + Kt_d",),
+        condition=True,
+    ),
+)
+"""What is said of loops with other parts than the paper's."""

@@ -22,7 +22,7 @@ from symhaptic.export.request import built, chosen, target
 from symhaptic.notation import B, K, T, b, d, k, m, t_d
 from symhaptic.paper import STATEMENTS as PAPER
 from symhaptic.paper.reading import read
-from symhaptic.rules import STATEMENTS as RULES
+from symhaptic.rules import PLAIN as RULES
 
 NAME = "explorer"
 KERNELS = (
@@ -50,7 +50,10 @@ MEANT: dict[str, Any] = {
     "rules:damping-over-delay": sp.true,
     "rules:four-masses": sp.Eq(B, 0),
     "rules:two-masses": sp.Eq(B, 0),
-    "rules:damped-contact": (B > 0) & sp.Eq(b, 0) & sp.Eq(k, 0) & sp.Eq(t_d, 0),
+    **dict.fromkeys(
+        ("rules:damped-contact", "rules:euler-for-devices", "rules:two-dampings"),
+        (B > 0) & sp.Eq(b, 0) & sp.Eq(k, 0) & sp.Eq(t_d, 0),
+    ),
 }
 """The loops of which each rule claims something, as the propositions of the room ``rules`` say."""
 
@@ -60,6 +63,8 @@ CHAPTERS = {
     "rules:four-masses": "s8c_four_masses",
     "rules:two-masses": "s8d_two_masses",
     "rules:damped-contact": "s8e_damped_contact",
+    "rules:euler-for-devices": "s10c_simulators",
+    "rules:two-dampings": "s10d_measured_velocity",
 }
 
 

@@ -12,15 +12,29 @@ from typing import Any
 import sympy as sp
 from sympy import Symbol
 
-from symhaptic.notation.proposition import And, ForAll, Iff, Implies, Predicate, Relation, whole
+from symhaptic.notation.proposition import (
+    And,
+    ForAll,
+    Iff,
+    Implies,
+    Not,
+    Predicate,
+    Relation,
+    whole,
+)
 from symhaptic.notation.terms import term
+from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, relation, rule, without
-from symhaptic.proof.theorems.roots import summands
+from symhaptic.proof.theorems.roots import coefficients, summands
 
 SOURCES = {
     "toeplitz": "a Toeplitz form is non-negative where its symbol is, and only there; "
     "Grenander and Szego, Toeplitz Forms and Their Applications, 5.2",
+    "filtered": "the same, of a response that converges on the circle",
+    "dissipates": "a storage function; Willems, Arch. Rational Mech. Anal. 45, 1972. A given way "
+    "costs damper and friction least at constant speed",
+    "swings": "definition of passivity: a swing that gains energy can be repeated",
     "stored": "what is stored at rest is nothing, and a device comes to rest at as little cost "
     "as one likes; Colgate and Schenkel, J. Robot. Syst. 14(1), 1997, Sec. 3",
 }
@@ -57,6 +71,40 @@ def toeplitz(response: Any, variable: Symbol, damping: Any, angle: Symbol) -> Ju
 
 
 @rule
+def filtered(
+    response: Any, denominator: Any, variable: Symbol, damping: Any, angle: Symbol
+) -> Judgement:
+    """The same for H = N/D: its answers are those of a filter D, and fade.
+
+    N and D (``denominator``) are real polynomials in z of known degrees, D is monic and N not of
+    higher degree; that all zeros of D lie inside is a hypothesis.
+    """
+    response, damping, below = term(response), term(damping), term(denominator)
+    if {variable, angle} & damping.free_symbols or angle in (response + below).free_symbols:
+        raise NotShown("the angle and the variable are bound")
+    if not real(damping):
+        raise NotShown(f"{damping} is not real by its form")
+    above = sp.cancel(response * below)
+    falling = [coefficients(of, variable) for of in (above, below)]
+    if falling[1][0] != 1 or len(falling[0]) > len(falling[1]):
+        raise NotShown(f"{below} is not monic, or of a lower degree than {above}")
+    if not all(real(c) for of in falling for c in of) or not is_zero(response * below - above):
+        raise NotShown(f"{response} is not real by its form")
+    turn = sp.exp(sp.I * angle)
+    lag, static = (
+        above.xreplace({variable: at}) / below.xreplace({variable: at}) for at in (turn, sp.S.One)
+    )
+    lag /= turn - 1
+    margin = damping + (lag + lag.xreplace({sp.I: -sp.I})) / 2
+    inside = And((Relation(_ZERO, "<", angle), Relation(angle, "<", sp.pi)))
+    always = ForAll((angle,), Implies((inside, Relation(_ZERO, "<=", margin))))
+    energy = Predicate("passive", (variable,), (response, damping))
+    fades = Predicate("stable", (variable,), (below,))
+    hypotheses = {fades, *conditions(damping, response, below, but=variable)}
+    return hypotheses, Iff((energy, And((Relation(_ZERO, "<=", static), always))))
+
+
+@rule
 def stored(wall: Sequence[Any], speed: Symbol, some: Theorem, none: Theorem) -> Judgement:
     """A store E(v) does not matter to passivity, for 0 <= E(v) and E(0) = 0.
 
@@ -78,3 +126,72 @@ def stored(wall: Sequence[Any], speed: Symbol, some: Theorem, none: Theorem) -> 
     given = {Relation(_ZERO, "<", parts[3]), Relation(_ZERO, "<=", parts[4])}
     device = Predicate("passive_device", (speed,), (store, *parts))
     return hypotheses | given, Iff((device, Predicate("passive_wall", (), parts)))
+
+
+def counted(force: Any, place: Symbol, wall: Sequence[Any]) -> Predicate:
+    """No motion gains energy from the force F(y), beside b, f_c, T and Delta (``wall``)."""
+    return Predicate("passive_counted", (place,), (force, *wall))
+
+
+@rule
+def dissipates(
+    store: Any,
+    force: Any,
+    wall: Sequence[Any],
+    over: Sequence[Symbol],
+    growth: Theorem,
+    some: Theorem,
+    none: Theorem,
+) -> Judgement:
+    """A force F(y) is passive beside b and f_c if a store S(x) grows by no more than these take.
+
+    Of x, its count y and the way p of a period (``over``) it is shown that 0 <= F(y) p + b p^2/T +
+    f_c |p| - S(x + p) + S(x), for y - Delta/2 <= x <= y + Delta/2, and that 0 <= S(x) and S(0) = 0.
+    """
+    store, force, (b, friction, period, step) = term(store), term(force), map(term, wall)
+    x, y, p = over
+    if {x, y, p} & (b * friction * period * step).free_symbols or len({x, y, p}) < 3:
+        raise NotShown("place, count and way are bound")
+    if {x, p} & force.free_symbols or {y, p} & store.free_symbols:
+        raise NotShown("a force is of the count, and a store of the place")
+    taken = force * p + b * p**2 / period + friction * sp.Abs(p)
+    rest = taken - store.xreplace({x: x + p}) + store
+    wanted = (rest, store), (growth, some)
+    for left, theorem in zip(*wanted, strict=True):
+        if theorem.conclusion != Relation(_ZERO, "<=", left):
+            raise NotShown(f"{theorem.conclusion} does not say that {left} is not negative")
+    if none.conclusion != Relation(store.xreplace({x: _ZERO}), "=", _ZERO):
+        raise NotShown(f"{none.conclusion} does not say that nothing is stored at the start")
+    near = {Relation(y - step / 2, "<=", x), Relation(x, "<=", y + step / 2)}
+    hypotheses = (growth.hypotheses - near) | some.hypotheses | none.hypotheses
+    without([x, y, p], hypotheses)
+    given = {Relation(_ZERO, "<", period), Relation(_ZERO, "<", step)}
+    given |= {Relation(_ZERO, "<=", b), Relation(_ZERO, "<=", friction)}
+    return hypotheses | given, counted(force, y, (b, friction, period, step))
+
+
+@rule
+def swings(
+    force: Any, place: Symbol, wall: Sequence[Any], swing: Sequence[Any], gain: Theorem
+) -> Judgement:
+    """A force F(y) is not passive if a swing of two periods gains energy.
+
+    The swing goes from x by p and back, at constant speeds; l and n are the whole counts of x and
+    x + p (``swing``, in this order).  F(l Delta) p - F(n Delta) p + 2 b p^2/T + 2 f_c |p| < 0
+    (``gain``).
+    """
+    force, (b, friction, period, step) = term(force), map(term, wall)
+    x, p, *counts = map(term, swing)
+    for part in (b, friction, period, step, x, p, *counts):
+        if place in part.free_symbols or not real(part):
+            raise NotShown(f"{part} is not real by its form, or {place} is bound")
+    one, other = (force.xreplace({place: n * step}) for n in counts)
+    energy = one * p - other * p + 2 * b * p**2 / period + 2 * friction * sp.Abs(p)
+    if gain.conclusion != Relation(energy, "<", _ZERO):
+        raise NotShown(f"{gain.conclusion} does not say that {energy} is negative")
+    hypotheses = set(gain.hypotheses) | conditions(*(term(t) for t in swing))
+    for at, n in zip((x, x + p), counts, strict=True):
+        hypotheses |= {whole(n), Relation(n * step - step / 2, "<", at)}
+        hypotheses |= {Relation(at, "<", n * step + step / 2)}
+    hypotheses |= {Relation(_ZERO, "<", period), Relation(_ZERO, "<", step)}
+    return hypotheses, Not((counted(force, place, (b, friction, period, step)),))

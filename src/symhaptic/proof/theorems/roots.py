@@ -85,7 +85,7 @@ def _zeros(polynomial: Expr, variable: Symbol) -> Predicate:
     return Predicate("stable", (variable,), (polynomial,))
 
 
-def _coefficients(polynomial: Expr, variable: Symbol) -> list[Expr]:
+def coefficients(polynomial: Expr, variable: Symbol) -> list[Expr]:
     """Coefficients of a polynomial of a degree that is a number, highest power first."""
     try:
         return [sp.sympify(c) for c in sp.Poly(polynomial, variable).all_coeffs()]
@@ -134,7 +134,7 @@ def jury(polynomial: Any, variable: Symbol) -> Judgement:
     (i, j = 1 to r, and X is 0 below its diagonal).  The degree n is a number.
     """
     polynomial = term(polynomial)
-    falling = _coefficients(polynomial, variable)
+    falling = coefficients(polynomial, variable)
     degree = len(falling) - 1
     if falling[0] != 1 or degree < 1 or not all(real(c) for c in falling):
         raise NotShown(f"{polynomial} is not monic and real by its form")
@@ -152,7 +152,7 @@ def hurwitz(polynomial: Any, variable: Symbol) -> Judgement:
     highest coefficient is positive is a hypothesis; the degree n is a number.
     """
     polynomial = term(polynomial)
-    falling = _coefficients(polynomial, variable)
+    falling = coefficients(polynomial, variable)
     degree = len(falling) - 1
     if degree < 1 or not all(real(c) for c in falling):
         raise NotShown(f"{polynomial} has no zeros, or is not real by its form")

@@ -1,0 +1,104 @@
+r"""Which walls are passive if the velocity is filtered?
+
+Most controllers smooth the difference of two samples by an exponential average,
+$v_k=f_v\,v_{k-1}+(1-f_v)(x_k-x_{k-1})/T$ with a pole $0\le f_v<1$. How much damping does the
+device need then, and is a wall that is passive without the filter passive with it?
+"""
+
+from sympy import Eq, I, Rational, S, cos, exp, pi
+
+from symhaptic.book.lemmas.decided import in_z
+from symhaptic.book.lemmas.filtered_wall import (
+    FAST,
+    MARGIN,
+    SLOW,
+    by_angle,
+    decides,
+    gives_energy,
+    without_filter,
+)
+from symhaptic.book.sources import CLAIMED, STATEMENTS
+from symhaptic.loops.velocity import DIFFERENCE, exponential_average
+from symhaptic.notation import B, K, T, b, d, f_v, theta, z
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import add_assum
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all
+
+FILTERED, PLAIN = "rules:average-damping", "rules:plain-damping"
+
+
+def derive(page):
+    wall = page.define(
+        "The damper takes the average of the differences",
+        r"H(z)",
+        K + B / T * in_z(DIFFERENCE.times(exponential_average(f_v))),
+    )
+    page.step(
+        "The filter takes the place of the sample before",
+        wall,
+        K + B * (1 - f_v) * (z - 1) / (T * (z - f_v)),
+        name="H(z)",
+        because="the transfer function of the average is $(1-f_v)z/(z-f_v)$",
+    )
+    turn = exp(I * theta)
+    lag = (wall / (z - 1)).subs(z, turn)
+    page.step(
+        "A filtered wall requires this damping of the device at each angle",
+        -T * (lag + lag.subs(I, -I)) / 2,
+        b - MARGIN.right,
+        name=r"b_{\min}(\theta)",
+        because="by the balance of energy, $-T\\,\\Re\\{H/(z-1)\\}$ at $z=e^{j\\theta}$",
+    )
+    page.lemma(
+        "A filtered wall is passive if and only if it does not pull and the damper burns enough at "
+        "each angle",
+        by_angle(),
+        because="the answers of the filter fade, so that the energy of a motion is an integral "
+        "over its spectrum as for a wall without filter",
+    )
+    slow, fast = b - SLOW.left, b - FAST.left
+    weight = (1 - f_v) ** 2 * (1 + cos(theta)) / (2 * (1 - 2 * f_v * cos(theta) + f_v**2))
+    page.step(
+        "The margin is a mean of its values at slow motions and at Nyquist's frequency",
+        MARGIN.right,
+        weight * slow + (1 - weight) * fast,
+        because="the weights are not negative and their sum is 1",
+    )
+    claim = CLAIMED[FILTERED](STATEMENTS[FILTERED].printed)
+    symbols, given, _ = taken_apart(claim)
+    found = page.lemma(
+        "A filtered wall that does not pull is passive if and only if it meets both bounds",
+        decides(),
+        because="a mean of two numbers that are not negative is not negative; and the margin "
+        "comes as close to both as one likes",
+        boxed=True,
+    )
+    easy = {K: S.One, B: S.One, b: S.One, T: S.One, f_v: S.Half}
+    page.settle(
+        FILTERED,
+        for_all(symbols, given, add_assum(found, *given)),
+        example=example(easy, given),
+        note="exact for this loop without delay, walls on both borders included. The first bound "
+        "is the stricter one for $B>0$, the second for $B<0$, which no filter makes milder. Behind "
+        "a delay (4) decides",
+    )
+    page.say(
+        "The filter removes the virtual damper at high frequencies, where sampling makes it "
+        "active. With $f_v=0.9$ only a nineteenth of $B$ counts. This is a statement about "
+        "passivity. For the stability of a light device the same filter is a loss, see "
+        "\\chapter{s10f_filtered_mass}."
+    )
+    claim = CLAIMED[PLAIN](STATEMENTS[PLAIN].printed)
+    symbols, given, _ = taken_apart(claim)
+    found = page.lemma("A wall that meets (6) is passive with every filter", without_filter())
+    given = [*given, Eq(d, 0)]
+    late = {K: S.One, B: S.One / 8, b: Rational(3, 4), T: S.One, f_v: S.Half, d: S.One}
+    page.settle(
+        PLAIN,
+        for_all(symbols, given, add_assum(found, *given)),
+        example=example(late | {d: S.Zero}, given),
+        unless=[counterexample(claim, late, gives_energy(late, pi / 3), but=Eq(d, 0))],
+        shows="$K=1$, $B=\\tfrac18$, $b=\\tfrac34$, $T=1$: delayed by one period, the "
+        "wall gives energy to slow motions",
+        note="safe with every filter, exact without one; no delay is allowed for",
+    )

@@ -1,0 +1,127 @@
+r"""How large may a virtual mass be?
+
+A wall can feel heavy: it answers with a force $m_v(x_k-2x_{k-1}+x_{k-2})/T^2$ to the acceleration
+that it computes from three samples. Which virtual masses are passive, alone and beside a spring and
+a damper, and which are stable?
+"""
+
+from sympy import Eq, I, Rational, S, cos, exp
+
+from symhaptic.book.lemmas.decided import in_z
+from symhaptic.book.lemmas.virtual_mass import (
+    BOUND,
+    MARGIN,
+    alone,
+    by_angle,
+    decides,
+    free,
+    gives_energy,
+    swings_up,
+)
+from symhaptic.book.sources import CLAIMED, STATEMENTS
+from symhaptic.loops.velocity import DIFFERENCE
+from symhaptic.model import plant
+from symhaptic.model.parts import Parts
+from symhaptic.notation import B, K, T, b, d, m, m_v, theta, z
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import add_assum
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all
+
+ALONE, BESIDE, FREE = "rules:virtual-mass", "rules:virtual-wall", "rules:virtual-mass-stable"
+STILL = {K: S.Zero, B: S.Zero, m_v: S.One / 4, b: S.Half, T: S.One}
+
+
+def derive(page):
+    difference = in_z(DIFFERENCE)
+    wall = page.define(
+        "Spring, damper and virtual mass",
+        r"H(z)",
+        K + B / T * difference + m_v / T**2 * difference**2,
+    )
+    lag = (wall / (z - 1)).subs(z, exp(I * theta))
+    page.step(
+        "A wall with a virtual mass requires this damping of the device at each angle",
+        -T * (lag + lag.subs(I, -I)) / 2,
+        b - MARGIN.right,
+        name=r"b_{\min}(\theta)",
+        because="by the balance of energy, $-T\\,\\Re\\{H/(z-1)\\}$ at $z=e^{j\\theta}$",
+    )
+    page.lemma(
+        "A wall with a virtual mass is passive if and only if it does not pull and the damper "
+        "burns enough at each angle",
+        by_angle(),
+    )
+    page.step(
+        "The margin is least at Nyquist's frequency",
+        MARGIN.right - (b - BOUND.left),
+        (1 + cos(theta)) * (B + m_v / T * (3 - 2 * cos(theta))),
+        because="not negative for $B\\ge0$ and $m_v\\ge0$, and it tends to 0 for $\\theta\\to\\pi$",
+    )
+    found = page.lemma(
+        "A wall with a virtual mass is passive if and only if the damping of the device outweighs "
+        "all three",
+        decides(),
+        boxed=True,
+    )
+    claim = CLAIMED[BESIDE](STATEMENTS[BESIDE].printed)
+    symbols, given, _ = taken_apart(claim)
+    page.settle(
+        BESIDE,
+        for_all(symbols, given, add_assum(found, *given)),
+        example=example(STILL, given),
+        note="exact without delay, walls on the border included",
+    )
+    _alone(page)
+    _free(page)
+
+
+def _alone(page):
+    """A virtual mass and nothing else."""
+    claim = CLAIMED[ALONE](STATEMENTS[ALONE].printed)
+    symbols, given, _ = taken_apart(claim)
+    found = page.lemma(
+        "A virtual mass without spring and damper is passive if and only if $m_v\\le bT/2$", alone()
+    )
+    none = [Eq(K, 0), Eq(B, 0)]
+    given = [*given, *none]
+    stiff, damped = STILL | {K: S.One}, STILL | {B: S.One}
+    page.settle(
+        ALONE,
+        for_all(symbols, given, add_assum(found, *given)),
+        example=example(STILL, given),
+        unless=[
+            counterexample(claim, stiff, gives_energy(stiff), holds=none[1:], but=none[0]),
+            counterexample(claim, damped, gives_energy(damped), holds=none[:1], but=none[1]),
+        ],
+        shows="$b=\\tfrac12$, $T=1$, $m_v=\\tfrac14$: the virtual mass takes all the damping, and "
+        "none is left for a spring",
+        note="exact for a virtual mass alone; a spring and a damper want damping of their own",
+    )
+
+
+def _free(page):
+    """Stability of the mass that the device has and the one that it is made to feel."""
+    mass = plant.sampled(plant.normalised(Parts(False, False)))
+    mu = m_v / m
+    response = mass.numerator / mass.denominator * mu * (1 - 1 / z) ** 2
+    page.step(
+        "The drift of a free mass cancels against the virtual mass",
+        z ** (d + 2) * (1 + response * z**-d),
+        z ** (d + 2) + mu / 2 * (z + 1),
+        name="p_M(z)",
+        because="what is left of the loop's polynomial beside $(z-1)^2$, the free motion at "
+        "constant speed, which a virtual mass does not slow down",
+    )
+    claim = CLAIMED[FREE](STATEMENTS[FREE].printed)
+    symbols, given, _ = taken_apart(claim)
+    found = page.lemma("Without delay a virtual mass is stable just below $2m$", free())
+    given = [*given, Eq(d, 0)]
+    slow = {m_v: Rational(3, 2), m: S.One, d: S.One}
+    page.settle(
+        FREE,
+        for_all(symbols, given, add_assum(found, *given)),
+        example=example(slow | {d: S.Zero}, given),
+        unless=[counterexample(claim, slow, swings_up(slow), but=Eq(d, 0))],
+        shows="$m_v=\\tfrac32m$ delayed by one period swings up",
+        note="exact for a free mass without delay",
+    )

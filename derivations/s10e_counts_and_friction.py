@@ -1,0 +1,94 @@
+r"""How stiff may a spring be whose position is counted?
+
+An encoder gives the position in whole counts $\Delta_x$. The spring then pushes with a force that
+is wrong by up to half a count, and a hand can use that. A damper burns little of a slow motion;
+what helps is Coulomb friction $f_c$. How much of it does a stiffness need?
+"""
+
+from sympy import Abs, Rational, S
+
+from symhaptic.book.lemmas.counts import (
+    FORCES,
+    across_a_count,
+    across_many,
+    decides,
+    spring_passive,
+    wall_passive,
+)
+from symhaptic.book.sources import CLAIMED, STATEMENTS
+from symhaptic.notation import Delta_x, K, T, b, f_c, h, p_k, x, y
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import add_assum, conj
+from symhaptic.proof.theorems.tactics import example, for_all
+
+RULE = "rules:counts-and-friction"
+
+
+def derive(page):
+    page.say(
+        "In a period the device moves from $x$ by $p_k$, against the held force $Ky$ of the count "
+        "$y$. The damper burns at least $bp_k^2/T$ and friction at least $f_c|p_k|$, however the "
+        "device moves in between. What is left over beside the energy of the spring is"
+    )
+    page.step(
+        "Sampling gives $\\frac12Kp_k^2$ in a period, and counting up to $\\frac12K\\Delta_x|p_k|$",
+        K * y * p_k + b * p_k**2 / T + f_c * Abs(p_k) - K * (x + p_k) ** 2 / 2 + K * x**2 / 2,
+        (b / T - K / 2) * p_k**2
+        + (f_c - K * Delta_x / 2) * Abs(p_k)
+        + K * (Delta_x / 2 * Abs(p_k) + (y - x) * p_k),
+        because="the last term is not negative, since $|y-x|\\le\\frac12\\Delta_x$",
+        boxed=True,
+    )
+    page.say(
+        "Added up over all periods, the energy of the spring at the end remains, which is not "
+        "negative. Damper and friction have to cover one loss each. For a wall that only pushes "
+        "the same holds with its own energy, $\\frac12K\\max(x,0)^2$."
+    )
+    page.lemma("Within both bounds no motion gains energy from a counted spring", spring_passive())
+    page.lemma(
+        "Within both bounds no motion gains energy from a counted wall that only pushes",
+        wall_passive(),
+        because="$\\max(x+p_k,0)^2\\le(\\max(x,0)+p_k)^2$, and $\\max$ makes no distance larger",
+    )
+    page.say(
+        "Both bounds are sharp. A hand that swings by $2h$ across the edge of a count meets the "
+        "lower force on its way up and is pushed by the higher one on its way down:"
+    )
+    page.step(
+        "A small swing across the edge of a count leaves this energy",
+        -K * Delta_x * 2 * h + 2 * b * (2 * h) ** 2 / T + 2 * f_c * 2 * h,
+        -2 * h * (K * Delta_x - 2 * f_c - 4 * b * h / T),
+        because="negative for $K\\Delta_x>2f_c$ and a small $h$; repeated, it gains without end",
+    )
+    page.lemma(
+        "Some motion gains energy beyond $2f_c/\\Delta_x$, with any damper",
+        across_a_count(FORCES[1]),
+    )
+    page.lemma(
+        "Some motion gains energy beyond $2b/T$, with any friction",
+        across_many(FORCES[1]),
+        because="a swing over many counts, with a loss that grows with the square of the way",
+    )
+    claim = CLAIMED[RULE](STATEMENTS[RULE].printed)
+    symbols, given, _ = taken_apart(claim)
+    found = page.lemma(
+        "A counted spring is passive if and only if it meets both bounds, and so is a counted wall",
+        conj(*map(decides, FORCES)),
+        boxed=True,
+    )
+    point = {K: S.One, b: S.One, f_c: S.One, T: S.One, Delta_x: S.One}
+    page.settle(
+        RULE,
+        for_all(symbols, given, add_assum(found, *given)),
+        example=example(point, given),
+        note="exact without delay and virtual damping, both borders included. A spring that damps "
+        "by differences of counts, or behind a delay, needs more",
+    )
+    swing = {K: S.One, Delta_x: S.One, T: S.One, b: S.One, f_c: Rational(1, 4), h: Rational(1, 16)}
+    page.step(
+        "With half of the friction that $K=1$ needs a swing of an eighth of a count gains",
+        (-2 * h * (K * Delta_x - 2 * f_c - 4 * b * h / T)).subs(swing),
+        -Rational(1, 32),
+        name="E",
+        because="for $K=\\Delta_x=T=b=1$, $f_c=\\tfrac14$ and $h=\\tfrac1{16}$",
+    )

@@ -1,0 +1,112 @@
+r"""Is a lag of the actuator the same as a delay?
+
+Amplifiers and torque loops follow their command as $1/(\tau_as+1)$. The usual advice is to count
+this lag as a delay of $\tau_a$. For a free mass we derive the exact loop, sampled with the lag in
+it, and ask on which side the advice errs.
+"""
+
+from sympy import Matrix, Rational, S, exp, eye
+
+from symhaptic.book.lemmas.circulation import outside
+from symhaptic.book.lemmas.decided import escapes
+from symhaptic.book.lemmas.lagging_mass import LOOP, below_the_line, exponentials, holds, in_units
+from symhaptic.book.sources import CLAIMED, STATEMENTS
+from symhaptic.loops.actuator import lagging
+from symhaptic.loops.plant import moving_mass
+from symhaptic.notation import B, K, T, alpha, beta, d, delta, gamma, m, t, tau_a, z
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import add_assum
+from symhaptic.proof.theorems.tactics import example, for_all
+from symhaptic.rules.other_loops import FADING, LAG, LAGGING
+
+RULE = "rules:lag-as-delay"
+
+
+def derive(page):
+    _loop(page)
+    page.lemma(
+        "For $m=T=1$ a stable wall satisfies $K(\\frac12+\\tau)<B$",
+        in_units(),
+        because="by two of Hurwitz' inequalities, as long as five expressions in the lag "
+        "$\\tau=\\tau_a/T$ and $q=e^{-1/\\tau}$ are positive",
+    )
+    for theorem, of in zip(
+        exponentials(), ("the first", "the second", "the third", "the last"), strict=True
+    ):
+        page.lemma(f"The exponential lies above these bounds: {of}", theorem)
+    claim = CLAIMED[RULE](STATEMENTS[RULE].printed)
+    symbols, given, _ = taken_apart(claim)
+    found = page.lemma(
+        "With a lag no wall of a free mass above the line is stable",
+        below_the_line(),
+        boxed=True,
+    )
+    wall = {K: Rational(18, 100), B: Rational(56, 100), T: S.One, m: S.One, tau_a: S.One}
+    page.settle(
+        RULE,
+        for_all(symbols, given, add_assum(found, *given)),
+        example=example(wall, given, holds(LAGGING, wall)),
+        note="needed, and at the origin enough: the lag counts as the delay. It is not enough "
+        "farther out, and there the same delay costs more than the lag",
+    )
+    page.say(
+        "Farther from the origin a lag costs less than the same delay. A delay transmits all "
+        "frequencies; a lag attenuates the high ones, at which a delayed wall becomes unstable."
+    )
+    page.lemma(
+        "With a lag of one period $K=\\frac{18}{100}$, $B=\\frac{56}{100}$ is stable for $m=T=1$",
+        holds(LAGGING, wall),
+    )
+    late = {alpha: wall[K], beta: wall[B], gamma: S.Zero, delta: S.Zero, d: S.One}
+    page.lemma(
+        "With a delay of one period $K=\\frac{18}{100}$, $B=\\frac{56}{100}$ is not stable",
+        outside(late),
+    )
+    page.lemma(
+        "With a lag of one period $K=\\frac15$, $B=\\frac{56}{100}$ is not stable",
+        escapes(LAGGING, wall | {K: Rational(1, 5)}),
+    )
+    slow = {K: Rational(4, 100), B: S.Half, T: S.One, m: S.One, tau_a: S(5)}
+    page.lemma(
+        "With a lag of five periods $K=\\frac4{100}$, $B=\\frac12$ is stable",
+        holds(LAGGING, slow),
+    )
+    late = late | {alpha: slow[K], beta: slow[B], d: S(5)}
+    page.lemma(
+        "With a delay of five periods $K=\\frac4{100}$, $B=\\frac12$ is not stable", outside(late)
+    )
+
+
+def _loop(page):
+    """The motion in a period under a command that is held, and the loop that it makes."""
+    tau = LAG
+    device = lagging(moving_mass(), tau)
+    rate, push = Matrix(device.state), Matrix(device.force)
+    page.say(
+        "In units of mass and period the state is the position, the velocity and the force $u$ of "
+        "the actuator, with $\\tau=\\tau_a/T$ and $\\tau\\dot u=F-u$. From a state at the sample, "
+        "under a command $F$ that is held, a time $t$ later it is $\\Phi(t)$ times the state and "
+        "$\\Gamma(t)F$:"
+    )
+    fall = exp(-t / tau)
+    slip = tau * (1 - fall)
+    phi = Matrix([[1, t, tau * (t - slip)], [0, 1, slip], [0, 0, fall]])
+    held = Matrix([t**2 / 2 - tau * (t - slip), t - slip, 1 - fall])
+    for name, motion, force in ((r"\Phi", phi, 0), (r"\Gamma", held, 1)):
+        for row, letter in enumerate("xvu"):
+            for column in range(motion.cols):
+                page.step(
+                    f"$\\{name[1:]}$ obeys the equations of device and actuator",
+                    motion[row, column].diff(t),
+                    (rate * motion)[row, column] + force * push[row],
+                    name=rf"\dot{name}_{{{letter}{column + 1}}}",
+                )
+    one, moved = phi.subs(t, 1), held.subs(t, 1)
+    step = Matrix(4, 4, lambda i, j: one[i, j] if i < 3 and j < 3 else int((i, j) == (3, 0)))
+    push = Matrix([*moved, 0]) * Matrix([[alpha + beta, 0, 0, -beta]])
+    page.step(
+        "With the position of the sample before as fourth state the loop has this polynomial",
+        (z * eye(4) - step + push).det(method="berkowitz"),
+        LOOP.of[0].subs({K: alpha, B: beta, FADING: exp(-1 / tau)}),
+        name=r"\det(z-A)",
+    )

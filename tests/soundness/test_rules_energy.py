@@ -1,0 +1,209 @@
+"""Energy of filtered answers and of counted positions: what each rule asks for, and vacuous cases.
+
+Each is attacked where one of its conditions is missing.
+"""
+
+import numpy as np
+import pytest
+import sympy as sp
+from sympy import Abs, I, S, symbols
+
+from symhaptic.notation import Delta_x, T, b, f_c, p_k, theta, x, y, z
+from symhaptic.notation.proposition import Not, Predicate, Relation, whole
+from symhaptic.proof.theorems.energy import dissipates, filtered, swings
+from symhaptic.proof.theorems.kernel import NotShown, assume
+from symhaptic.proof.theorems.leaves import identity
+
+K, c, f, q, n = symbols("K u f q n")
+WALL = (b, f_c, T, Delta_x)
+
+
+# -- answers of a filter --------------------------------------------------------------------
+
+
+def margin(theorem):
+    """c + Re H/(z - 1) at an angle."""
+    return theorem.conclusion.of[1].of[1].body.of[1].right
+
+
+@pytest.mark.parametrize("above", [S.One, z, 2 * z - 1, S.Zero])
+def test_the_margin_is_that_of_the_response(above):
+    found = filtered(above / (z - f), z - f, z, c, theta)
+    assert Predicate("stable", (z,), (z - f,)) in found.hypotheses
+    for pole, angle in ((0.3, 0.7), (-0.8, 2.9)):
+        at = np.exp(1j * angle)
+        response = complex((above / (z - f)).subs({z: at, f: pole}))
+        wanted = 0.1 + (response / (at - 1)).real
+        assert complex(margin(found).subs({theta: angle, f: pole, c: 0.1})) == pytest.approx(wanted)
+
+
+def test_without_a_filter_it_is_a_spring():
+    """D = 1 has no zeros: what is said is vacuous, and true."""
+    found = filtered(K, S.One, z, c, theta)
+    assert complex(margin(found).subs({theta: 1.3, K: 2, c: 0})) == pytest.approx(-1)
+    assert found.conclusion.of[1].of[0] == Relation(S.Zero, "<=", K)
+
+
+def test_a_response_is_made_of_real_numbers_known_degrees_and_no_future():
+    for response, below, why in (
+        (z**2 / (z - f), z - f, "lower degree"),  # it answers before it is asked
+        (K / (2 * z - f), 2 * z - f, "not monic"),
+        (K / (z - I * f), z - I * f, "not real"),
+        (I * K / (z - f), z - f, "not real"),
+        (sp.sqrt(K) / (z - f), z - f, "not real"),
+        (K / (z - f), z - q, "no polynomial"),  # the filter of another response
+        (z**n / (z - f), z - f, "no polynomial"),
+        (K, z**n, "no polynomial"),
+    ):
+        with pytest.raises(NotShown, match=why):
+            filtered(response, below, z, c, theta)
+
+
+def test_the_angle_and_the_variable_are_bound():
+    for response, below, damping in (
+        (K / (z - f), z - f, theta),
+        (K / (z - f), z - f, z),
+        (theta / (z - f), z - f, c),
+        (K / (z - theta), z - theta, c),
+        (K, z - theta, c),
+    ):
+        with pytest.raises(NotShown, match="bound"):
+            filtered(response, below, z, damping, theta)
+
+
+def test_a_loss_is_real():
+    for damping in (I, sp.sqrt(c)):
+        with pytest.raises(NotShown, match="not real by its form"):
+            filtered(K / (z - f), z - f, z, damping, theta)
+
+
+def test_a_divisor_of_the_response_is_asked_for():
+    found = filtered(K / (T * (z - f)), z - f, z, c / q, theta)
+    assert {Relation(t, "!=", S.Zero) for t in (T, q)} <= found.hypotheses
+
+
+# -- counted positions ----------------------------------------------------------------------
+
+STORE = K * x**2 / 2
+
+
+def taken(force, store, way=p_k):
+    rest = force * way + b * way**2 / T + f_c * Abs(way)
+    return Relation(S.Zero, "<=", rest - store.xreplace({x: x + way}) + store)
+
+
+def parts(force=K * y, store=STORE):
+    """What is shown of a force and a store, taken for granted."""
+    some = assume(Relation(S.Zero, "<=", store))
+    start = store.xreplace({x: S.Zero})
+    none = identity(start, S.Zero) if start == 0 else assume(Relation(start, "=", S.Zero))
+    return assume(taken(force, store)), some, none
+
+
+def granted(store):
+    """The same of a store whose growth and sign have no hypotheses about the place."""
+    growth, some, none = parts(store=store)
+    return growth, some, none
+
+
+def test_a_store_that_is_only_assumed_is_about_the_place():
+    with pytest.raises(NotShown, match="is about"):
+        dissipates(STORE, K * y, WALL, (x, y, p_k), *parts())
+
+
+def test_nothing_pushes_and_nothing_is_stored():
+    """The vacuous case: no force and no store, beside no loss."""
+    growth = identity(S.Zero, S.Zero)
+    zero = Relation(S.Zero, "<=", S.Zero)
+    from symhaptic.proof.theorems.leaves import number
+
+    found = dissipates(0, 0, (0, 0, T, Delta_x), (x, y, p_k), number(zero), number(zero), growth)
+    assert found.conclusion == Predicate("passive_counted", (y,), (0, 0, 0, T, Delta_x))
+    assert Relation(S.Zero, "<", T) in found.hypotheses
+    assert Relation(S.Zero, "<", Delta_x) in found.hypotheses
+
+
+def test_what_a_loss_is_has_a_sign():
+    """A negative damper or friction burns less on a detour, and not more."""
+    from symhaptic.proof.theorems.leaves import number
+
+    zero = number(Relation(S.Zero, "<=", S.Zero))
+    rest = number(Relation(S.Zero, "<=", S.Zero))
+    found = dissipates(0, 0, (0, 0, T, Delta_x), (x, y, p_k), rest, zero, identity(S.Zero, S.Zero))
+    assert {Relation(S.Zero, "<=", S.Zero)} <= found.hypotheses
+
+
+@pytest.mark.parametrize(
+    ("change", "why"),
+    [
+        ({"wall": (p_k, f_c, T, Delta_x)}, "bound"),
+        ({"wall": (b, f_c, x, Delta_x)}, "bound"),
+        ({"over": (x, x, p_k)}, "bound"),
+        ({"force": K * x}, "of the count"),
+        ({"force": K * p_k}, "of the count"),
+        ({"store": K * y**2}, "of the count"),
+        ({"growth": assume(taken(K * y, 2 * STORE))}, "not negative"),
+        ({"growth": assume(taken(-K * y, STORE))}, "not negative"),
+        ({"some": assume(Relation(S.Zero, "<=", K))}, "not negative"),
+        ({"none": assume(Relation(STORE, "=", S.Zero))}, "stored at the start"),
+        ({"none": assume(Relation(S.Zero, "<=", S.Zero))}, "stored at the start"),
+    ],
+)
+def test_a_store_is_one_of_the_place_and_grows_by_what_is_taken(change, why):
+    growth, some, none = parts()
+    given = {
+        "store": STORE,
+        "force": K * y,
+        "wall": WALL,
+        "over": (x, y, p_k),
+        "growth": growth,
+        "some": some,
+        "none": none,
+    }
+    with pytest.raises(NotShown, match=why):
+        dissipates(**given | change)
+
+
+def swing(force, start, way, one, other, wall=WALL):
+    """That a swing gains energy, assumed."""
+    damping, friction, period, step = wall
+    low, high = (force.xreplace({y: k * step}) for k in (one, other))
+    left = low * way - high * way + 2 * damping * way**2 / period + 2 * friction * Abs(way)
+    return assume(Relation(left, "<", S.Zero))
+
+
+def test_a_swing_has_the_counts_that_it_is_given():
+    gain = swing(K * y, x, p_k, S.Zero, n)
+    found = swings(K * y, y, WALL, (x, p_k, 0, n), gain)
+    assert found.conclusion == Not((Predicate("passive_counted", (y,), (K * y, *WALL)),))
+    assert {whole(S.Zero), whole(n)} <= found.hypotheses
+    near = {
+        Relation(-Delta_x / 2, "<", x),
+        Relation(x, "<", Delta_x / 2),
+        Relation(n * Delta_x - Delta_x / 2, "<", x + p_k),
+        Relation(x + p_k, "<", n * Delta_x + Delta_x / 2),
+    }
+    assert near | {Relation(S.Zero, "<", T), Relation(S.Zero, "<", Delta_x)} <= found.hypotheses
+
+
+def test_where_a_swing_begins_has_a_value():
+    start = Delta_x / q
+    gain = swing(K * y, start, p_k, S.Zero, S.One)
+    found = swings(K * y, y, WALL, (start, p_k, 0, 1), gain)
+    assert Relation(q, "!=", S.Zero) in found.hypotheses
+
+
+@pytest.mark.parametrize(
+    ("wall", "way", "gain", "why"),
+    [
+        (WALL, p_k, swing(K * y, x, p_k, S.One, S.Zero), "is negative"),  # the other way round
+        (WALL, p_k, swing(K * y, x, 2 * p_k, S.Zero, S.One), "is negative"),
+        (WALL, p_k, assume(Relation(S.Zero, "<", S.Zero)), "is negative"),
+        (WALL, I * p_k, swing(K * y, x, I * p_k, S.Zero, S.One), "not real"),
+        ((y, f_c, T, Delta_x), p_k, swing(K * y, x, p_k, S.Zero, S.One), "not real"),
+        ((I, f_c, T, Delta_x), p_k, swing(K * y, x, p_k, S.Zero, S.One), "not real"),
+    ],
+)
+def test_a_swing_is_real_and_gains(wall, way, gain, why):
+    with pytest.raises(NotShown, match=why):
+        swings(K * y, y, wall, (x, way, 0, 1), gain)
