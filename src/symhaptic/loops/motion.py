@@ -228,7 +228,7 @@ def _first_root(coefficients: Array, left: float) -> float:
     parts = [(0.0, 1.0, coefficients)]
     while parts:
         start, width, b = parts.pop()
-        if b.min() > 0 or b.max() < 0:
+        if not b.min() <= 0 <= b.max():  # nor of NaN
             continue
         if width <= 2.0**-52:
             at = max(left * (start + width / 2), _SHORTEST)

@@ -80,12 +80,13 @@ def _held(
     forms = Forms(plant, engine.gamma, engine.delta, handle)
     motion = Motion(plant, forms, 1 / handle.mass if handle else 1.0, handle is not None)
     fraction, told = engine.delay % 1, {n / (between + 1) for n in range(between + 1)}
-    legs = cuts({fraction, *told}, motion.longest if friction else math.inf)
-    if len(legs) > _MOST:
+    longest = motion.longest if friction else math.inf
+    if longest * _MOST < 1:
         raise ValueError(
-            f"coulomb_friction: a period of {len(legs)} pieces is not allowed; "
+            f"coulomb_friction: a period of {1 / longest:.3g} pieces is not allowed; "
             "leave out coulomb_friction, or the actuator or structure that is so fast"
         )
+    legs = cuts({fraction, *told}, longest)
     state, moving = np.zeros(len(plant.state)), 4 if handle else 2
     state[:moving:2], state[1:moving:2] = start
     stuck = np.zeros(periods * len(legs), dtype=bool)

@@ -576,7 +576,7 @@ class Scene(DeviceLoop):
         -------
         Simulation
             Arrays of shape (n,) with n = periods (``samples_between`` + 1) + 1.  If the motion
-            grows beyond the range of floats, values are NaN from there on.
+            grows beyond the range of floats, values are not finite from there on.
 
         Raises
         ------

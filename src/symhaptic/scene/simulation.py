@@ -194,17 +194,18 @@ def simulate(
         (scene.coulomb_friction or 0.0) / to_force,
         samples_between,
     )
-    energies = [work * to_energy for work in (found.energy, *found.works.values())]
-    return Simulation(
-        scene,
-        *walls,
-        found.time * period,
-        found.position,
-        found.velocity / period,
-        found.force * to_force,
-        found.measured,
-        *energies,
-    )
+    with np.errstate(over="ignore", invalid="ignore"):
+        energies = [work * to_energy for work in (found.energy, *found.works.values())]
+        return Simulation(
+            scene,
+            *walls,
+            found.time * period,
+            found.position,
+            found.velocity / period,
+            found.force * to_force,
+            found.measured,
+            *energies,
+        )
 
 
 def _unit(scene: DeviceLoop, linear: str) -> str:
