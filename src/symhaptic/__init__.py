@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     )
     from symhaptic.numeric.plant import discretize, discretize_fractional
     from symhaptic.numeric.stability import characteristic_polynomial, is_stable, unstable_roots
-    from symhaptic.numeric.tracing.extremes import max_stable_stiffness
+    from symhaptic.numeric.tracing.extremes import limit_at, max_stable_stiffness
     from symhaptic.numeric.tracing.grid import grid_boundary
     from symhaptic.numeric.tracing.margin import delay_margin, max_delay
     from symhaptic.numeric.tracing.region import Region, stable_region
@@ -76,6 +76,7 @@ _HOME = {
     "is_stable": "symhaptic.numeric.stability",
     "jury": "symhaptic.model.jury",
     "lambdify": "symhaptic.scene.callables",
+    "limit_at": "symhaptic.numeric.tracing.extremes",
     "linear_limit": "symhaptic.numeric.linear",
     "max_delay": "symhaptic.numeric.tracing.margin",
     "max_passive_stiffness": "symhaptic.numeric.passivity",
@@ -122,6 +123,7 @@ __all__ = [
     "is_stable",
     "jury",
     "lambdify",
+    "limit_at",
     "linear_limit",
     "max_delay",
     "max_passive_stiffness",

@@ -377,6 +377,73 @@ def test_a_device_is_not_written_over(device):
     assert place.read_text() == text
 
 
+KNOB = """inertia = "200 g cm^2"
+damping = "0.01 mN m s/deg"
+sampling_rate = "1 kHz"
+delay = "1 ms"
+
+[wall]
+K = "0.5 N m/turn"
+B = "0.05 N m s/turn"
+"""
+
+
+def test_a_rotary_device_has_its_limits_in_its_units(tmp_path):
+    path = tmp_path / "knob.toml"
+    path.write_text(KNOB)
+    words = symhaptic("limits", path, "--chart", "-o", tmp_path / "chart.svg").stdout
+    assert "N m/rad with B = " in words
+    assert "passivity margin -0.007425 N m s/rad" in words
+    assert "N/m" not in words
+    assert "Ns/m" not in words
+    assert "B in N m s/rad  stable K in N m/rad  at Hz  passive K in N m/rad\n" in words
+    assert (tmp_path / "chart.svg").stat().st_size > 10_000
+    found = json.loads(symhaptic("limits", path, "--format", "json").stdout)
+    assert found["units"] == {"K": "N m/rad", "B": "N m s/rad", "frequency_hz": "Hz"}
+    assert found["wall"]["K"] == pytest.approx(0.5 / (2 * np.pi))
+
+
+def test_the_chart_has_the_limits_over_the_damping(device, tmp_path):
+    from symhaptic.scene.device_file import read
+
+    scene = read(device).scene
+    run = symhaptic("limits", device, "--chart", "--format", "json", "-o", tmp_path / "chart.png")
+    assert run.returncode == 0, run.stderr
+    assert (tmp_path / "chart.png").stat().st_size > 10_000
+    found = json.loads(run.stdout)
+    chart = {name: np.array(values, float) for name, values in found["chart"].items()}
+    assert chart.keys() == {"B", "stable_up_to", "frequency_hz", "passive_up_to"}
+    assert np.nanmax(chart["stable_up_to"]) == pytest.approx(
+        found["stiffest_stable"]["K"], rel=1e-3
+    )
+    assert np.isnan(chart["stable_up_to"][-1])
+    for row in range(0, len(chart["B"]), 50):
+        limit = scene.limit_at(chart["B"][row])
+        assert (limit.K, limit.frequency_hz) == (
+            chart["stable_up_to"][row],
+            chart["frequency_hz"][row],
+        )
+    listed = symhaptic("limits", device, "--chart").stdout.partition("\nB in Ns/m")[2]
+    assert 15 <= len(listed.splitlines()) <= 25
+
+
+def test_the_damping_with_the_largest_delay_margin_is_said(device):
+    wall = json.loads(symhaptic("limits", device, "--format", "json").stdout)["wall"]
+    ((low, high),) = wall["stable_B"]
+    assert low < wall["best_B"] < high
+    assert wall["best_delay_margin_s"] >= wall["delay_margin_s"]
+    said = f"stable with B = {low:.4g} to {high:.4g} Ns/m; the largest delay margin, "
+    assert said in symhaptic("limits", device).stdout
+    device.write_text(DEVICE.replace("800 N/m", "80 kN/m"))
+    assert "  with this K    no damping makes it stable\n" in symhaptic("limits", device).stdout
+
+
+def test_a_device_that_no_wall_makes_stable_has_an_empty_chart(tmp_path):
+    path = tmp_path / "device.toml"
+    path.write_text("mass = 1\nstiffness = 1e6\nsampling_period = 1\ndelay_samples = 3\n")
+    run = symhaptic("limits", path, "--chart", "-o", tmp_path / "chart.svg")
+    assert run.returncode == 0, run.stderr
+    assert run.stdout.endswith("B in Ns/m  stable K in N/m  at Hz  passive K in N/m\n")
 COURSE = """mass = "40 g"
 damping = "0.8 Ns/m"
 sampling_rate = "1 kHz"

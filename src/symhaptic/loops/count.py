@@ -127,15 +127,38 @@ def _arcs(A: Array, W: Array, in_z: bool) -> Array:
 
 
 def _ends(A: Array, W: Array) -> Array:
+    sides = _balance(A, W), imaginary(A), imaginary(W)
+    return _angle(np.concatenate([real_roots(each) for each in sides], axis=-1))
+
+
+def equal(A: Array, W: Array, in_z: bool) -> Array:
+    """Angles at which |A| = |W|, in ascending order; NaN for those that are not there."""
+    if in_z:
+        _, angles, there = _many(A, W)
+        return np.where(there, angles, np.nan)
+    x = real_roots(_balance(A, W))
+    return np.where((x > 0) & (x < 4), _angle(x), np.nan)
+
+
+def _balance(A: Array, W: Array) -> Array:
+    """|A|^2 - |W|^2 as a polynomial in x."""
     size = max(A.shape[-1], W.shape[-1])
     A, W = (np.pad(q, [(0, 0)] * (q.ndim - 1) + [(0, size - q.shape[-1])]) for q in (A, W))
-    sides = squared(A) - squared(W), imaginary(A), imaginary(W)
-    x = np.clip(np.concatenate([real_roots(each) for each in sides], axis=-1), 0.0, 4.0)
+    return squared(A) - squared(W)
+
+
+def _angle(x: Array) -> Array:
     return np.asarray(2 * np.arctan2(np.sqrt(x), np.sqrt(4 - x)))
 
 
 def _many_ends(A: Array, W: Array) -> Array:
-    """The same for a W of many powers of z: a grid that sees each root, and where |A| = |W|.
+    """The same for a W of many powers of z."""
+    grid, angles, _ = _many(A, W)
+    return np.concatenate([grid, angles], axis=-1)
+
+
+def _many(A: Array, W: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """A grid that sees each root, where |A| = |W|, and which of these are there.
 
     A and W turn where a root is near the circle, on the scale of its distance.
     """
@@ -156,7 +179,7 @@ def _many_ends(A: Array, W: Array) -> Array:
         device, wall = _both(A, W, middle, True)
         same = (np.abs(device) >= np.abs(wall)) == before
         low, high = np.where(same, middle, low), np.where(same, high, middle)
-    return np.concatenate([theta, high], axis=-1)
+    return theta, high, np.take_along_axis(changes, first, axis=-1)
 
 
 def _roots(coefficients: Array) -> Complex:

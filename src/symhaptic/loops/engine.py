@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symhaptic.loops import count
-from symhaptic.loops.circle import Array, point, real_roots, squared, value
+from symhaptic.loops.circle import Array, point, value
 from symhaptic.loops.loop import Loop, closed
 from symhaptic.loops.passive import Needs
 from symhaptic.loops.plant import (
@@ -108,7 +108,7 @@ class Engine:
         simulated = self.integrator != "hold"
         for given, why in (
             (simulated, f"integrator={self.integrator!r}: a simulator is no device"),
-            (bool(self.parts), "actuator or structure: (4) is of a force that acts at once"),
+            (bool(self.parts), "(4) is of a mass on which the force acts at once"),
             (isinstance(self.velocity, Measured), "velocity=Measured(): (4) is of positions alone"),
             (self.delay % 1, "delay: with a filter (4) is of whole periods"),
         ):
@@ -164,22 +164,22 @@ class Engine:
     ) -> list[tuple[float, float]]:
         """The windows of the delay, in periods, in which a wall is stable.
 
-        From one cell of an eighth of a period to the next the angles of |A| = |W| move little; a
-        root is on the circle where the phase between both parts passes 0 at one of them.
+        A root is on the circle where the phase between the two parts passes 0 at an angle of
+        |A| = |W|.  In a cell of the delay that phase turns by less than half a radian.
         """
-        grid = np.linspace(first, last, int(8 * (last - first)) + 2)
+        fastest = self._fastest(alpha, beta)
+        cells = math.ceil((last - first) * min(8.0, 2 * fastest + 1.0))
+        grid = np.linspace(first, last, cells + 2)
         phase = self._phases(alpha, beta, grid)
         one, two = phase[:-1], phase[1:]
         with np.errstate(invalid="ignore"):
             there = (one * two <= 0) & (np.abs(one - two) < 2.0)
-        cells, slots = np.nonzero(there)
-        low, high, left = grid[cells], grid[cells + 1], one[cells, slots] > 0
-        for _ in range(52):
-            middle = (low + high) / 2
-            now = self._phases(alpha, beta, middle)[np.arange(len(slots)), slots] > 0
-            low, high = np.where(now == left, middle, low), np.where(now == left, high, middle)
-        # where a pair of angles comes or goes no phase tells; the verdicts of the cells do
-        ends = np.unique(np.concatenate([grid[[0, -1]], (low + high) / 2, grid[1:-1]]))
+        rows, slots = np.nonzero(there)
+        low, high = self._zero(alpha, beta, slots, grid[rows], grid[rows + 1])
+        # where a pair of angles comes or goes no phase tells; the verdicts of such cells do
+        other = (np.isnan(one) != np.isnan(two)).any(axis=1)
+        changed = np.concatenate([grid[:-1][other], grid[1:][other]])
+        ends = np.unique(np.concatenate([grid[[0, -1]], (low + high) / 2, changed]))
         middles = (ends[1:] + ends[:-1]) / 2
         told = self._stable_at(alpha, beta, middles)
         found: list[tuple[float, float]] = []
@@ -190,6 +190,34 @@ class Engine:
                 found.append((float(start), float(end)))
         return found
 
+    def _zero(
+        self, alpha: float, beta: float, slots: NDArray[np.intp], low: Array, high: Array
+    ) -> tuple[Array, Array]:
+        """Delays between which the phases at some angles change their signs.
+
+        By the Illinois rule: the secant's step, and half the value of an end that stays twice.
+        """
+        if not len(slots):
+            return low, high
+        each = np.arange(len(slots))
+        at_low, at_high = (self._phases(alpha, beta, x)[each, slots] for x in (low, high))
+        before = np.zeros(len(slots), dtype=bool)
+        for _ in range(_STEPS):
+            with np.errstate(divide="ignore", invalid="ignore"):
+                middle = high - at_high * (high - low) / (at_high - at_low)
+            outside = ~((middle > low) & (middle < high))
+            middle = np.where(outside, (low + high) / 2, middle)
+            now = self._phases(alpha, beta, middle)[each, slots]
+            same = (now > 0) == (at_low > 0)
+            again = same == before
+            at_high = np.where(same, np.where(again, at_high / 2, at_high), now)
+            at_low = np.where(same, now, np.where(again, at_low / 2, at_low))
+            low, high = np.where(same, middle, low), np.where(same, high, middle)
+            before = same
+        near = np.abs(at_low) < np.abs(at_high)
+        found = np.where(near, low, high)
+        return found, found
+
     def _stable_at(self, alpha: float, beta: float, delays: Array) -> NDArray[np.bool_]:
         found = [
             count.is_stable(self.at_delay(part), np.array(alpha), np.array(beta))
@@ -197,22 +225,25 @@ class Engine:
         ]
         return np.concatenate(found)
 
+    def _fastest(self, alpha: float, beta: float) -> float:
+        """The largest angle of |A| = |W| at any part of a period; 0 if there is none."""
+        angles = self._equal(alpha, beta, np.linspace(0, 1, 32, endpoint=False))[0]
+        return float(np.nanmax(angles, initial=0.0))
+
     def _phases(self, alpha: float, beta: float, delays: Array) -> Array:
-        """At each delay, the phase of -p's two parts at each angle where they are equal; or NaN."""
+        """At each delay, the phase between both parts at each angle where they are equal."""
+        return self._equal(alpha, beta, delays)[1]
+
+    def _equal(self, alpha: float, beta: float, delays: Array) -> tuple[Array, Array]:
+        """The angles of |A| = |W| at each delay, and the phase between z^M A and -W there."""
         loop = self.at_delay(delays)
-        A = np.broadcast_to(loop.A, (*loop.M.shape, loop.A.shape[-1]))
-        W = np.broadcast_to(
-            loop.wall(np.array(alpha), np.array(beta)), (*loop.M.shape, loop.X.shape[-1])
-        )
-        size = max(A.shape[-1], W.shape[-1])
-        A, W = (np.pad(q, [(0, 0), (0, size - q.shape[-1])]) for q in (A, W))
-        x = real_roots(squared(A) - squared(W))
-        theta = 2 * np.arcsin(np.sqrt(np.clip(x, 0, 4)) / 2)
-        at = point(theta, False)
-        late = np.exp(1j * loop.M[..., None] * theta) * value(A[:, None, :], at)
+        shape = loop.M.shape
+        A = np.broadcast_to(loop.A, (*shape, loop.A.shape[-1]))
+        W = np.broadcast_to(loop.wall(np.array(alpha), np.array(beta)), (*shape, loop.X.shape[-1]))
+        theta = count.equal(A, W, loop.in_z)
+        late = np.exp(1j * loop.M[..., None] * theta) * value(A[:, None, :], point(theta, False))
         with np.errstate(invalid="ignore", divide="ignore"):
-            phase = np.angle(-late / value(W[:, None, :], at))
-        return np.where((x > 0) & (x < 4), phase, np.nan)
+            return theta, np.angle(-late / value(W[:, None, :], point(theta, loop.in_z)))
 
     def stability_boundary(self, theta: Array) -> tuple[Array, Array]:
         """alpha and beta of the walls with which the loop swings at these angles."""
@@ -246,7 +277,7 @@ class Engine:
         """
         if not self._stable_at(alpha, beta, np.array([first]))[0]:
             return first
-        if np.isnan(self._phases(alpha, beta, np.linspace(0, 1, 64, endpoint=False))).all():
+        if self._fastest(alpha, beta) == 0:
             return math.inf
         width, start = 4.0, first
         while start < LONGEST:
@@ -258,6 +289,9 @@ class Engine:
             start, width = start + width, 2 * width
         return math.nan
 
+
+_STEPS = 14
+"""Of the Illinois rule, whose errors shrink with the power 1.44: from 1/8 of a period to 1e-15."""
 
 _LEAST = 1e-12
 """What a passive wall needs is told to about this part; the border itself counts as passive."""

@@ -44,7 +44,8 @@ class Needs:
     def required(self, K: Array, B: Array) -> tuple[Array, Array]:
         """The largest damping that each wall needs at any angle, and that angle.
 
-        Infinite for K < 0: such a wall pulls away.
+        The angle is NaN if ever slower motions need the most.  The damping is infinite for K < 0:
+        such a wall pulls away.
         """
         K, B = np.broadcast_arrays(np.atleast_1d(K), np.atleast_1d(B))
         needs = K[:, None] * self.of_K + B[:, None] * self.of_B + self.rest
@@ -63,6 +64,7 @@ class Needs:
         found = self._need(K, B, angles)
         worst = np.argmax(found, axis=1)[:, None]
         need, theta = (np.take_along_axis(x, worst, axis=1)[:, 0] for x in (found, angles))
+        theta = np.where(theta > 2 * self.theta[0], theta, np.nan)
         return np.where(K < 0, np.inf, need), theta
 
     def _need(self, K: Array, B: Array, theta: Array) -> Array:
@@ -81,7 +83,7 @@ class Needs:
         K = np.maximum(np.where(self.of_K > 0, lines, np.inf).min(axis=1), 0.0)
         need, theta = self.required(K, B)
         for _ in range(60):
-            p, q, r = self.at(theta)
+            p, q, r = self.at(np.where(np.isnan(theta), self.theta[0], theta))
             over = (need > damping) & (K > 0)
             if not over.any():
                 break

@@ -6,7 +6,7 @@ import math
 from copy import copy
 from dataclasses import dataclass, field
 
-from symhaptic.notation.quantities import number
+from symhaptic.notation.quantities import number_in
 
 
 def quantisation_limit(resolution: float, friction: float) -> float:
@@ -41,13 +41,8 @@ class Encoder:
     """``"m"`` or ``"rad"`` if the resolution was given with a unit, or nothing."""
 
     def __post_init__(self) -> None:
-        value, unit = self.resolution, ""
-        for one, other in (("m", "rad"), ("rad", "m")):
-            try:
-                value = number("resolution", self.resolution, one, "> 0")
-            except ValueError:
-                unit = other
-        object.__setattr__(self, "resolution", number("resolution", value, unit or "m", "> 0"))
+        value, unit = number_in("resolution", self.resolution, ("m", "rad"), "> 0")
+        object.__setattr__(self, "resolution", value)
         object.__setattr__(self, "unit", unit)
 
     def fitting(self, unit: str) -> Encoder:

@@ -83,25 +83,27 @@ class Trace:
         """Angles to both sides of a change of sign."""
         there = np.flatnonzero(values[1:] * values[:-1] < 0)
         low, high, left = theta[there], theta[there + 1], values[there] > 0
-        for _ in range(60):
-            middle = (low + high) / 2
-            same = (function(middle) > 0) == left
-            low, high = np.where(same, middle, low), np.where(same, high, middle)
+        for _ in range(14):
+            at = low + _SIXTEEN * (high - low)
+            same = (function(at) > 0) == left
+            step = (high - low) / 16
+            low = low + step * (np.argmin(np.vstack([same[1:], 0 * same[:1]]), axis=0))
+            high = low + step
         return np.concatenate([low * (1 - 1e-9), high * (1 + 1e-9)])
 
     def _extremes(self, theta: Array, which: int) -> Array:
-        """Where K (0) or B (1) turns between three neighbours, by golden sections."""
+        """Where K (0) or B (1) turns between three neighbours, by ever finer grids."""
         values = boundary(self.loop, theta)[which]
         with np.errstate(invalid="ignore"):
             rise = np.diff(values)
             there = np.flatnonzero(rise[1:] * rise[:-1] < 0) + 1
         up = np.where(rise[there - 1] > 0, 1.0, -1.0)
         low, high = theta[there - 1], theta[there + 1]
-        part = (np.sqrt(5) - 1) / 2
-        for _ in range(60):
-            one, two = high - part * (high - low), low + part * (high - low)
-            left, right = (up * boundary(self.loop, at)[which] for at in (one, two))
-            low, high = np.where(left > right, low, one), np.where(left > right, two, high)
+        for _ in range(10):
+            at = low + _SIXTEEN * (high - low)
+            top = np.argmax(up * boundary(self.loop, at)[which], axis=0)
+            step = (high - low) / 16
+            low, high = low + step * np.maximum(top - 1, 0), low + step * np.minimum(top + 1, 16)
         return np.asarray((low + high) / 2)
 
     @cached_property
@@ -134,21 +136,29 @@ class Trace:
             low, high = np.where(same, middle, low), np.where(same, high, middle)
         theta = (low + high) / 2
         other = boundary(self.loop, theta)[1 - which]
+        rows, other, theta = self._with_lines(given, which, rows, other, theta)
+        order = np.lexsort((other, rows))
+        cuts = np.searchsorted(rows[order], np.arange(1, len(given)))
         found = []
-        for row, one in enumerate(given):
-            values, angles = list(other[rows == row]), list(theta[rows == row])
-            for (x, y, c), end in zip(self.lines, (0.0, np.pi), strict=True):
-                mine, its = (x, y) if which else (y, x)
-                size = abs(x) + abs(y) + abs(c)
-                if abs(mine) > 1e-14 * size:
-                    values.append(-(its * one + c) / mine)
-                    angles.append(end)
-            order = np.argsort(values)
-            value, angle = np.array(values)[order], np.array(angles)[order]
+        for one, value, angle in zip(
+            given, np.split(other[order], cuts), np.split(theta[order], cuts), strict=True
+        ):
             same_value = np.full(value.shape, one)
             K, B = (value, same_value) if which else (same_value, value)
             found.append(Walls(K, B, angle))
         return found
+
+    def _with_lines(
+        self, given: Array, which: int, rows: NDArray[np.intp], other: Array, theta: Array
+    ) -> tuple[NDArray[np.intp], Array, Array]:
+        """The same with the walls of each damping, or stiffness, on the lines of real roots."""
+        for (x, y, c), end in zip(self.lines, (0.0, np.pi), strict=True):
+            mine, its = (x, y) if which else (y, x)
+            if abs(mine) > 1e-14 * (abs(x) + abs(y) + abs(c)):
+                rows = np.concatenate([rows, np.arange(len(given))])
+                other = np.concatenate([other, -(its * given + c) / mine])
+                theta = np.concatenate([theta, np.full(len(given), end)])
+        return rows, other, theta
 
     def stable_between(self, walls: list[Walls]) -> list[NDArray[np.bool_]]:
         """Whether the loop is stable between neighbouring walls of each list."""
@@ -303,6 +313,9 @@ class Trace:
 
 _SHARP = 0.02
 """Radians by which the outline turns at a corner, drawn as high as wide."""
+
+_SIXTEEN = np.linspace(0.0, 1.0, 17)[:, None]
+"""Ends of sixteen parts of an interval, one column for each of many intervals."""
 
 _FINER = 6
 """So many pieces are drawn of each between two angles of the grid."""

@@ -38,6 +38,23 @@ def _float64(value: Any) -> float:
         return math.inf
 
 
+def number_in(name: str, value: Any, units: tuple[str, str], least: str = "") -> tuple[float, str]:
+    """The value in the one of two units in which it is given, and which one that is.
+
+    The unit is ``""`` for a plain number, which fits both.
+    """
+    found = {}
+    for unit in units:
+        try:
+            found[unit] = number(name, value, unit, least)
+        except ValueError:
+            continue
+    if not found:
+        number(name, value, units[0], least)
+    unit, size = next(iter(found.items()))
+    return size, unit if len(found) == 1 else ""
+
+
 def _converted(name: str, quantity: Any, unit: str) -> Any:
     """Its number in ``unit``, or where ``unit`` is none, that of a quantity without dimension."""
     registry = quantity._REGISTRY

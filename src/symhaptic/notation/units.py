@@ -167,6 +167,16 @@ def said(wanted: str) -> str:
     return "Ns/m" if wanted == "N*s/m" else wanted.replace("**", "^").replace("*", " ")
 
 
+def spelled(printed: str) -> str:
+    """A unit as Pint reads it; that of a number, 1, is none.
+
+    >>> spelled("Ns/m"), spelled("N m s/rad"), spelled("1")
+    ('N*s/m', 'N*m*s/rad', '')
+    """
+    own = {"Ns/m": "N*s/m", "1": ""}
+    return own.get(printed, printed.replace("^", "**").replace(" ", "*"))
+
+
 def _meanings(text: str, names: Callable[[str], Iterable[Written]]) -> set[Unit]:
     """All that a text may mean; nothing if it is no product of known units."""
     if len(text) > _LONGEST:

@@ -86,7 +86,7 @@ class Arm:
         )
 
     def __repr__(self) -> str:
-        return without_none(self, "mass", "inertia")
+        return without_defaults(self, "mass", "inertia")
 
     def __str__(self) -> str:
         """In words, with units."""
@@ -128,11 +128,13 @@ def one_of(name: str, value: Any, other: str, instead: Any) -> None:
         raise ValueError(f"{other}: {given} is not allowed; give one of them")
 
 
-def without_none(part: DataclassInstance, *names: str) -> str:
-    """As a dataclass is shown, without the fields of these names that are ``None``."""
-    values = ((field.name, getattr(part, field.name)) for field in fields(part))
+def without_defaults(part: DataclassInstance, *names: str) -> str:
+    """As a dataclass is shown, without the fields of these names that have their defaults."""
+    values = ((field, getattr(part, field.name)) for field in fields(part))
     given = (
-        f"{name}={value!r}" for name, value in values if value is not None or name not in names
+        f"{field.name}={value!r}"
+        for field, value in values
+        if field.name not in names or value != field.default
     )
     return f"{type(part).__qualname__}({', '.join(given)})"
 
@@ -252,7 +254,7 @@ class ArmRange:
         return cls(**ends)
 
     def __repr__(self) -> str:
-        return without_none(self, "mass", "inertia")
+        return without_defaults(self, "mass", "inertia")
 
     @property
     def by_mass(self) -> tuple[bool, bool]:

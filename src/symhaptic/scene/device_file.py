@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import re
 import tomllib
-from dataclasses import dataclass
+from dataclasses import MISSING, dataclass, fields
 from pathlib import Path
 from typing import Any
 
+from symhaptic.loops.actuator import Lag
 from symhaptic.loops.sensor import Encoder
+from symhaptic.loops.structure import SecondMass
+from symhaptic.loops.velocity import Average, Difference, Filter, LowPass, Measured, Window
 from symhaptic.notation.quantities import number
 from symhaptic.notation.suggest import suggested
 from symhaptic.scene.arms import Arm, ArmRange, checked_range
@@ -19,12 +22,35 @@ MOVED = "mass", "inertia", "damping", "stiffness"
 SCHEMA = {
     "": (
         *(*MOVED, "sampling_period", "sampling_rate"),
-        *("delay", "delay_samples", "coulomb_friction"),
+        *("delay", "delay_samples", "coulomb_friction", "virtual_mass", "integrator"),
     ),
-    "encoder": ("resolution",),
     "arm": (*MOVED, "with_device"),
     "arms": (*MOVED, "damping_per_mass", "stiffness_per_mass"),
     "wall": ("K", "B"),
+}
+PARTS: dict[str, dict[str, type]] = {
+    "velocity": {
+        "low-pass": LowPass,
+        "average": Average,
+        "window": Window,
+        "filter": Filter,
+        "difference": Difference,
+        "measured": Measured,
+    },
+    "actuator": {"": Lag},
+    "structure": {"": SecondMass},
+    "encoder": {"": Encoder},
+}
+"""Tables of parts; where there are several kinds, ``kind`` tells which, by default the first."""
+
+SCHEMA |= {
+    table: tuple(
+        dict.fromkeys(
+            [*(["kind"] if len(kinds) > 1 else [])]
+            + [each.name for kind in kinds.values() for each in fields(kind) if each.init]
+        )
+    )
+    for table, kinds in PARTS.items()
 }
 """Keys of each table; those of the device and its loop stand at the top."""
 
@@ -84,8 +110,6 @@ def read(path: Path) -> Device:
     device, arm, ranged, wall = (tables.get(name, {}) for name in ("", "arm", "arms", "wall"))
     if "wall" in tables and wall.keys() != {*SCHEMA["wall"]}:
         raise BadDevice(f"{path}: [wall] needs K and B")
-    if tables.get("encoder") == {}:
-        raise BadDevice(f"{path}: [encoder] needs resolution")
     if names.get("arm") is not None and arm:
         place = _place(path, text, "arm", next(iter(arm)))
         raise BadDevice(f"{place} beside name is not allowed; give one of them")
@@ -95,9 +119,9 @@ def read(path: Path) -> Device:
         for key, instead in (("mass", "inertia"), ("sampling_period", "sampling_rate")):
             if key not in known and instead not in known:
                 raise BadDevice(f"{path}: {key} is missing, such as {key} = {_EXAMPLES[key]}")
-        here = "encoder"
-        if here in tables:
-            known = {**known, "encoder": Encoder(**tables[here])}
+        for here in PARTS:
+            if here in tables:
+                known = {**known, here: _part(path, text, here, tables[here])}
         here = ""
         scene = Scene(**known)
         moved = "inertia" if scene.rotary else "mass"
@@ -124,6 +148,23 @@ def _published(name: Any) -> dict[str, float]:
     found = published(name)
     numbers = (("mass", found.mass), ("damping", found.damping))
     return {key: float(value) for key, value in numbers if value is not None}
+
+
+def _part(path: Path, text: str, table: str, given: dict[str, Any]) -> Any:
+    """A part of the loop; it checks its numbers itself."""
+    kinds = PARTS[table]
+    name = given.pop("kind", next(iter(kinds)))
+    if not isinstance(name, str) or name not in kinds:
+        place, allowed = _place(path, text, table, "kind"), ", ".join(map(repr, kinds))
+        raise BadDevice(f"{place} = {name!r} is not allowed; give one of {allowed}")
+    wanted = {each.name: each.default is MISSING for each in fields(kinds[name]) if each.init}
+    for key in given.keys() - wanted.keys():
+        place = _place(path, text, table, key)
+        raise BadDevice(f"{place} is not allowed for kind = {name!r}; leave it out")
+    for key, needed in wanted.items():
+        if needed and key not in given:
+            raise BadDevice(f"{path}: [{table}] needs {key}")
+    return kinds[name](**given)
 
 
 _EXAMPLES = {"mass": '"72 g"', "sampling_period": '"1 ms"'}

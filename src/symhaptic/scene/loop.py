@@ -18,6 +18,7 @@ from symhaptic.loops.actuator import Lag
 from symhaptic.loops.engine import STEPS, Engine
 from symhaptic.loops.sensor import Encoder
 from symhaptic.loops.structure import SecondMass
+from symhaptic.loops.system import LinearDevice
 from symhaptic.loops.velocity import Difference, Velocity
 from symhaptic.model.parts import Parts
 from symhaptic.notation.quantities import decimal, nearest, number, shown
@@ -31,7 +32,7 @@ from symhaptic.scene.arms import (
     checked,
     mass_or_inertia,
     one_of,
-    without_none,
+    without_defaults,
 )
 from symhaptic.scene.dimensionless import Dimensionless, per_unit, units
 from symhaptic.scene.limit import Limit
@@ -81,6 +82,8 @@ class DeviceLoop:
     """d in sampling periods, >= 0, if the delay is not given in s."""
     arm: Arm | None = None
     """The arm that holds the device."""
+    dynamics: LinearDevice | None = None
+    """Any linear device, instead of mass, damping, stiffness and arm."""
     velocity: Velocity | None = None
     """What the wall takes for the velocity; the difference of two samples if left out."""
     actuator: Lag | None = None
@@ -97,7 +100,8 @@ class DeviceLoop:
     """f_c of the device in N, >= 0."""
 
     def __post_init__(self, sampling_rate: float | None) -> None:
-        one_of("mass", self.mass, "inertia", self.inertia)
+        if self.dynamics is None:
+            one_of("mass", self.mass, "inertia", self.inertia)
         one_of("sampling_period", self.sampling_period, "sampling_rate", sampling_rate)
         if sampling_rate is not None:
             rate = decimal(number("sampling_rate", sampling_rate, "Hz", "> 0"))
@@ -116,14 +120,22 @@ class DeviceLoop:
             part = getattr(self, name)
             if part is not None and not isinstance(part, kind):
                 raise ValueError(f"{name}: {shown(part)} is not allowed; give {_EXAMPLES[name]}")
+        for name in ("mass", "inertia", "damping", "stiffness", "arm", "structure"):
+            if self.dynamics is not None and getattr(self, name) is not None:
+                raise ValueError(
+                    f"{name}: {shown(getattr(self, name))} beside dynamics is not allowed; "
+                    f"the matrices say all of the device"
+                )
+        if self.structure is not None:
+            object.__setattr__(self, "structure", self.structure.fitting(self.rotary))
         if self.encoder is not None:
             object.__setattr__(self, "encoder", self.encoder.fitting(self.unit("m")))
         if self.integrator not in STEPS:
             allowed = ", ".join(map(repr, STEPS))
             raise ValueError(f"integrator: {shown(self.integrator)} is not allowed; give {allowed}")
-        if self.integrator != "hold" and (self.actuator or self.structure):
+        if self.integrator != "hold" and (self.actuator or self.structure or self.dynamics):
             raise ValueError(
-                f"integrator: {self.integrator!r} beside an actuator or a structure "
+                f"integrator: {self.integrator!r} beside an actuator, a structure or dynamics "
                 "is not allowed; a simulator moves one mass"
             )
         if self.arm is not None:
@@ -138,12 +150,13 @@ class DeviceLoop:
             )
 
     def __repr__(self) -> str:
-        return without_none(self, "mass", "inertia")
+        return without_defaults(self, "mass", "inertia", *_FURTHER)
 
     @property
     def further(self) -> tuple[str, ...]:
         """Names of the parts that the paper's loop does not have, in the order of the loop."""
         there = {
+            "dynamics": self.dynamics is not None,
             "velocity": self.velocity not in (None, Difference()),
             "actuator": self.actuator is not None,
             "structure": self.structure is not None,
@@ -175,8 +188,8 @@ class DeviceLoop:
 
     @property
     def mass_or_inertia(self) -> float:
-        """The mass of the device in kg, or its moment of inertia in kg m^2."""
-        return mass_or_inertia(self)
+        """The mass of the device in kg, or its moment of inertia in kg m^2; 1 of any dynamics."""
+        return 1.0 if self.dynamics is not None else mass_or_inertia(self)
 
     def unit(self, linear: str) -> str:
         """The unit for this device that takes the place of one for motion along a line.
@@ -306,7 +319,14 @@ def _dimensionless(loop: DeviceLoop) -> Dimensionless:
     return found
 
 
+_FURTHER = (
+    *("dynamics", "velocity", "actuator", "structure", "integrator", "virtual_mass"),
+    *("encoder", "coulomb_friction"),
+)
+"""Parts that are shown only if they are there."""
+
 _KINDS: dict[str, type] = {
+    "dynamics": LinearDevice,
     "velocity": Velocity,
     "actuator": Lag,
     "structure": SecondMass,
@@ -314,6 +334,7 @@ _KINDS: dict[str, type] = {
 }
 
 _EXAMPLES = {
+    "dynamics": "LinearDevice(A, B, C) or LinearDevice.of(system)",
     "velocity": 'a velocity such as LowPass(cutoff="50 Hz")',
     "actuator": 'Lag(time_constant="1 ms")',
     "structure": 'SecondMass(mass="20 g", stiffness="20 N/mm")',
@@ -331,7 +352,7 @@ def _engine(loop: DeviceLoop) -> Engine:
         loop.coupled.mass,
         loop.sampling_period,
         loop.velocity or Difference(),
-        tuple(part for part in (loop.structure, loop.actuator) if part is not None),
+        tuple(part for part in (loop.dynamics, loop.structure, loop.actuator) if part is not None),
         loop.integrator,
         loop.virtual_mass or 0.0,
     )

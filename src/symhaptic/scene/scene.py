@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
     from symhaptic.bounds.simplest.choose import Simplest
     from symhaptic.scene.arms import Arm
+    from symhaptic.scene.damping import Damping, Dampings
     from symhaptic.scene.safe import Arms, SafeWalls
     from symhaptic.scene.simulation import Simulation
     from symhaptic.scene.walls import PassiveWalls, StableWalls
@@ -355,6 +356,61 @@ class Scene(DeviceLoop):
 
         return limit_at(self, B)
 
+    @overload
+    def damping_for(self, K: float) -> Damping: ...
+    @overload
+    def damping_for(self, K: ArrayLike) -> Dampings: ...
+    def damping_for(self, K: ArrayLike) -> Damping | Dampings:
+        """Virtual damping B in Ns/m with which a wall of stiffness ``K`` tolerates the most delay.
+
+        Parameters
+        ----------
+        K : float, str or array_like
+            Virtual stiffness in N/m.  Arrays may be those of xarray, Dask, pandas and Pint.
+
+        Returns
+        -------
+        Damping or Dampings
+            For one stiffness a number, B, with the attributes ``intervals``, the lowest and the
+            highest B of each range of stable dampings, and ``delay_margin`` in s.  For an array a
+            tuple of arrays: ``B``, ``low`` and ``high``, the ends of the range that contains B, and
+            ``delay_margin``.  If no damping makes a stable wall, B is NaN, ``intervals`` is empty
+            and the margin 0.
+
+        Raises
+        ------
+        ValueError
+            If ``K`` is not finite, or if pieces of the boundary are missed, see
+            :func:`symhaptic.stable_region`.
+
+        Notes
+        -----
+        The delay margin is that of :meth:`delay_margin`: the wall stays stable if a velocity
+        filter, an amplifier or a bus delays the loop by less.  The ends of the ranges lie on the
+        explicit stability boundary, and between them the roots outside the unit circle are counted.
+        B is found by a search over these ranges, to about 1e-5 of their width.  If several dampings
+        tolerate every delay, B is in the middle of them.  If the margin is not computed (NaN, see
+        :meth:`delay_margin`), B is the middle of the widest range.
+
+        See Also
+        --------
+        limit_at : Largest stiffness for a damping.
+
+        Examples
+        --------
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
+        >>> best = scene.damping_for(K=1000.0)
+        >>> [(round(low, 2), round(high, 2)) for low, high in best.intervals]
+        [(1.54, 63.67)]
+        >>> round(best, 1), round(1000 * best.delay_margin, 2)  # Ns/m, ms
+        (11.9, 5.17)
+        >>> scene.damping_for(K=[1000.0, 20_000.0]).B.round(1).tolist()
+        [11.9, nan]
+        """
+        from symhaptic.scene.damping import damping_for
+
+        return damping_for(self, K)
+
     def sensitivity(self, B: float | None = None) -> dict[str, float]:
         """Change of the stiffness limit in per cent for a 1 % increase of each parameter.
 
@@ -631,6 +687,40 @@ class Scene(DeviceLoop):
         from symhaptic.scene.walls import delay_margin
 
         return delay_margin(self, K, B)
+
+    def stable_delays(self, K: float, B: float, *, up_to: float) -> tuple[tuple[float, float], ...]:
+        """All windows of the delay in which a wall is stable, from 0 to ``up_to``.
+
+        A longer delay may make an unstable wall stable: stiff devices have several windows.
+
+        Parameters
+        ----------
+        K, B : float
+            Stiffness in N/m and damping in Ns/m of the wall.
+        up_to : float
+            The longest delay in s, up to 20 000 sampling periods.
+
+        Returns
+        -------
+        tuple of tuple of float
+            The ends of each window in s, which are open but for 0 and ``up_to``.
+
+        Raises
+        ------
+        ValueError
+            If an argument is not a finite number, ``up_to`` is negative or too long, or the scene
+            is a simulator, which has no time between its steps.
+
+        Examples
+        --------
+        >>> scene = Scene(mass=0.1, damping=1.0, stiffness=3e5, sampling_period=0.001)
+        >>> windows = scene.stable_delays(K=8e4, B=-90.0, up_to=0.008)
+        >>> [(round(1000 * low, 3), round(1000 * high, 3)) for low, high in windows]  # ms
+        [(0.533, 1.694), (4.783, 4.928)]
+        """
+        from symhaptic.scene.walls import stable_delays
+
+        return stable_delays(self, K, B, up_to)
 
     def max_delay(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Largest delay in s up to which walls of ``K`` (N/m) and ``B`` (Ns/m) are stable.

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from symhaptic.loops.sensor import quantisation_limit
+from symhaptic.loops.trace import LONGEST as LONGEST_TRACED
 from symhaptic.loops.trace import Trace
 from symhaptic.notation.quantities import in_unit, number, with_unit
 from symhaptic.numeric import arguments, boundary, passivity, stability
@@ -78,6 +79,20 @@ def delay_margin(scene: DeviceLoop, K: Any, B: Any) -> Any:
         return _of_walls(ask, scene, (), K, B, float, scene.sampling_period, "s")
     args = scene, scene.dimensionless, K, B, float, scene.sampling_period, "s"
     return _of_walls(margin.delay_margin, *args)
+
+
+def stable_delays(scene: DeviceLoop, K: Any, B: Any, up_to: Any) -> tuple[tuple[float, float], ...]:
+    """The windows of the delay in s in which a wall is stable."""
+    stiff, damped = wall_units(scene)
+    period = scene.sampling_period
+    alpha = stiff * number("K", K, scene.unit("N/m"))
+    beta = damped * number("B", B, scene.unit("N*s/m"))
+    periods = number("up_to", up_to, "s", ">= 0") / period
+    if periods > LONGEST_TRACED:
+        most = f"{LONGEST_TRACED} periods, {LONGEST_TRACED * period:g} s"
+        raise ValueError(f"up_to: {up_to!r} is not allowed; give at most {most}")
+    found = scene.engine.stable_delays(alpha, beta, 0.0, periods)
+    return tuple((low * period, high * period) for low, high in found)
 
 
 def _of_walls(

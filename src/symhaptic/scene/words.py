@@ -66,7 +66,7 @@ def facts(scene: DeviceLoop) -> dict[str, str]:
         found["passive up to"] = _limit(scene, safe.K, safe.frequency_hz, safe.B)
     else:
         found["passive up to"] = "nothing, because the device has no damping"
-    if scene.encoder is not None:
+    if scene.encoder is not None and not why_not_passive(replace(scene, velocity=None)):
         found["with encoder"] = quantised(scene)
     if scene.arm is not None:  # (2) and (3)
         found["stable up to"] += ", device and arm"
@@ -90,7 +90,10 @@ def quantised(scene: DeviceLoop) -> str:
 
 def _parts(scene: DeviceLoop) -> dict[str, str]:
     """The parts that the paper's loop does not have, in words."""
-    own = {name: getattr(scene, name) for name in ("velocity", "actuator", "structure", "encoder")}
+    own = {
+        name: getattr(scene, name)
+        for name in ("dynamics", "velocity", "actuator", "structure", "encoder")
+    }
     found = {name: part.words for name, part in own.items() if part is not None}
     if scene.integrator != "hold":
         found["integrator"] = scene.integrator

@@ -10,7 +10,8 @@ from symhaptic.book.chapters import beside
 from symhaptic.book.site.mathml import pandoc
 
 ORDER = (
-    *("tutorial", "limits", "simulation", "devices", "sweep", "howto", "verify", "check", "export"),
+    *("tutorial", "limits", "loops", "simulation", "devices", "sweep", "howto"),
+    *("verify", "check", "export"),
     *("reports", "security", "verdicts", "found", "statements", "speed", "design", "language"),
 )
 """Of the guides, as they are read."""
