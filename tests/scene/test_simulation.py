@@ -15,6 +15,7 @@ from symhaptic import (
     Encoder,
     Filter,
     Lag,
+    LinearDevice,
     LowPass,
     Measured,
     Scene,
@@ -283,6 +284,33 @@ def test_energies_balance(scene, between):
     assert (np.diff(found.friction_energy) >= 0).all()
     assert (found.friction_energy[-1] > 0) == (scene.coulomb_friction is not None)
     assert found.integrator_energy is None
+
+
+@pytest.mark.parametrize("more", [{}, {"actuator": Lag(time_constant=2e-3)}], ids=str)
+def test_a_device_by_its_matrices_moves_as_the_same_mass(more):
+    """In states of its own, turned by a matrix; the energies are not known of them."""
+    turned = np.array([[1.0, 2.0], [-0.5, 0.7]])
+    back = np.linalg.inv(turned)
+    A = turned @ [[0, 1], [-30.0 / M, -D / M]] @ back
+    matrices = LinearDevice(A, turned @ [0, 1 / M], [1, 0] @ back)
+    loop = {"sampling_period": T, "delay_samples": 1.3, "encoder": Encoder(resolution=1e-5), **more}
+    given = Scene(dynamics=matrices, **loop)
+    scene = Scene(mass=M, damping=D, stiffness=30.0, **loop)
+    push = {"duration": 0.5, "external_force": lambda t: np.cos(30 * t), "samples_between": 2}
+    one, other = (each.simulate(200.0, 1.0, **push) for each in (scene, given))
+    assert other.position == pytest.approx(one.position, abs=1e-12)
+    assert other.velocity == pytest.approx(one.velocity, abs=1e-10)
+    assert other.force == pytest.approx(one.force, abs=1e-9)
+    assert np.isnan(other.device_energy).all()
+    assert np.isnan(other.wall_energy).all()
+    pytest.importorskip("matplotlib")
+    assert len(other.plot()[1].lines) == 0
+    for name, scene in (
+        ("position0 or velocity0", given),
+        ("coulomb_friction", Scene(dynamics=matrices, coulomb_friction=1.0, **loop)),
+    ):
+        with pytest.raises(ValueError, match=f"{name}: is not allowed beside dynamics"):
+            scene.simulate(1.0, 0.0, duration=0.01, velocity0=0.1)
 
 
 def test_each_energy_is_the_integral_of_its_power():

@@ -131,12 +131,13 @@ class Simulation:
         above.set(ylabel=f"position in {self._unit('m')}")
         for name, (_, unit) in _MEANINGS.items():
             energy = getattr(self, name)
-            if unit == "J" and energy is not None and np.any(energy):
+            if unit == "J" and energy is not None and np.nan_to_num(energy).any():
                 below.plot(self.time, energy, lw=1.2, label=name.removesuffix("_energy"))
         below.set(xlabel="time in s", ylabel="energy in J")
         for one in (above, below):
             one.spines[["top", "right"]].set_visible(False)
-            one.legend(frameon=False, fontsize=9)
+            if one.lines:
+                one.legend(frameon=False, fontsize=9)
         return above, below
 
     def _unit(self, linear: str) -> str:
