@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from symhaptic.loops.actuator import Lag
     from symhaptic.loops.sensor import Encoder
     from symhaptic.loops.structure import SecondMass
+    from symhaptic.loops.system import LinearDevice
     from symhaptic.loops.velocity import Average, Difference, Filter, LowPass, Measured, Window
     from symhaptic.model.jury import jury
     from symhaptic.numeric.boundary import stability_boundary
@@ -57,6 +58,7 @@ _HOME = {
     "Filter": "symhaptic.loops.velocity",
     "Formula": "symhaptic.book.formulas",
     "Lag": "symhaptic.loops.actuator",
+    "LinearDevice": "symhaptic.loops.system",
     "LowPass": "symhaptic.loops.velocity",
     "Measured": "symhaptic.loops.velocity",
     "Region": "symhaptic.numeric.tracing.region",
@@ -104,6 +106,7 @@ __all__ = [
     "Filter",
     "Formula",
     "Lag",
+    "LinearDevice",
     "LowPass",
     "Measured",
     "Region",

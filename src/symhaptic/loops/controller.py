@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -31,7 +32,8 @@ class Wall:
         """What the encoder reports."""
         if self.resolution is None:
             return position
-        return self.resolution * round(position / self.resolution)
+        steps = position / self.resolution
+        return self.resolution * round(steps) if math.isfinite(steps) else math.nan
 
     def answer(self, position: float, velocity: float, change: float) -> float:
         """The command at a sample; ``change`` is that of the velocity, for the virtual mass."""

@@ -40,12 +40,14 @@ class Handle(NamedTuple):
 class Forms:
     """Quadratic forms of z: the energy of a device, and the powers that change it."""
 
-    def __init__(self, plant: Plant, gamma: float, delta: float, handle: Handle | None) -> None:
+    def __init__(
+        self, plant: Plant, gamma: float, delta: float, handle: Handle | None, lagging: bool
+    ) -> None:
+        """``lagging`` is whether the force of the wall is a state, the last one."""
         size = len(plant.state)
-        lagging = size > (4 if handle else 2)
         one = np.eye(size + 3)
         x, v = one[0], one[1]
-        force = one[size - 1] if lagging else one[size]
+        force = one[size - 1 if lagging else size]
         outside, friction = one[size + 1], one[size + 2]
         pushed = v if handle is None else one[3]
         damper = delta * np.outer(v, v)
@@ -75,14 +77,14 @@ class Leg(NamedTuple):
 class Motion:
     """How z moves; ``stuck`` where friction holds the motor."""
 
-    def __init__(self, plant: Plant, forms: Forms, outside: float, handle: bool) -> None:
-        """``outside`` is what a force from outside accelerates: 1/mass of what it pushes."""
+    def __init__(self, plant: Plant, forms: Forms, outside: Array) -> None:
+        """``outside`` is how a force from outside enters the first states."""
         state, force, _, _ = arrays(plant)
         size = len(state)
         self.free = np.zeros((size + 3, size + 3))
         self.free[:size, :size] = state
         self.free[:size, size] = force[:, 0]
-        self.free[3 if handle else 1, size + 1] = outside
+        self.free[: len(outside), size + 1] = outside
         self.free[1, size + 2] = 1.0
         self.stuck = self.free.copy()
         self.stuck[:2] = 0.0
@@ -228,7 +230,7 @@ def _first_root(coefficients: Array, left: float) -> float:
     parts = [(0.0, 1.0, coefficients)]
     while parts:
         start, width, b = parts.pop()
-        if b.min() > 0 or b.max() < 0:
+        if not b.min() <= 0 <= b.max():  # nor of NaN
             continue
         if width <= 2.0**-52:
             at = max(left * (start + width / 2), _SHORTEST)

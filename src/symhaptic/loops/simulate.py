@@ -10,10 +10,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from symhaptic.loops.actuator import Lag
 from symhaptic.loops.controller import Wall, controller
 from symhaptic.loops.engine import STEPS, Engine
 from symhaptic.loops.motion import POWERS, Array, Forms, Friction, Handle, Motion, cuts
+from symhaptic.loops.plant import Plant, moving_mass
 from symhaptic.loops.structure import SecondMass
+from symhaptic.loops.system import LinearDevice
 
 
 class Course(NamedTuple):
@@ -76,18 +79,31 @@ class _Answers:
 def _held(
     engine: Engine, answers: _Answers, start: tuple[float, float], friction: float, between: int
 ) -> Course:
-    plant, handle, periods = engine.plant, _handle(engine), answers.periods
-    forms = Forms(plant, engine.gamma, engine.delta, handle)
-    motion = Motion(plant, forms, 1 / handle.mass if handle else 1.0, handle is not None)
+    plant, periods, handle = engine.plant, answers.periods, _handle(engine)
+    lagging = any(isinstance(part, Lag) for part in engine.parts)
+    forms = Forms(plant, engine.gamma, engine.delta, handle, lagging)
+    outside = [0.0, 1.0] if handle is None else [0.0, 0.0, 0.0, 1 / handle.mass]
+    system = _system(engine)
+    if system is not None:
+        if friction or any(start):
+            name = "coulomb_friction" if friction else "position0 or velocity0"
+            raise ValueError(
+                f"{name}: is not allowed beside dynamics, whose matrices do not say how it enters; "
+                "begin with an external force"
+            )
+        outside = [*system.force]
+    motion = Motion(plant, forms, np.array(outside))
     fraction, told = engine.delay % 1, {n / (between + 1) for n in range(between + 1)}
-    legs = cuts({fraction, *told}, motion.longest if friction else math.inf)
-    if len(legs) > _MOST:
+    longest = motion.longest if friction else math.inf
+    if longest * _MOST < 1:
         raise ValueError(
-            f"coulomb_friction: a period of {len(legs)} pieces is not allowed; "
+            f"coulomb_friction: a period of {1 / longest:.3g} pieces is not allowed; "
             "leave out coulomb_friction, or the actuator or structure that is so fast"
         )
-    state, moving = np.zeros(len(plant.state)), 4 if handle else 2
-    state[:moving:2], state[1:moving:2] = start
+    legs = cuts({fraction, *told}, longest)
+    state, moving = np.zeros(len(plant.state)), len(outside)
+    if system is None:
+        state[:moving:2], state[1:moving:2] = start
     stuck = np.zeros(periods * len(legs), dtype=bool)
     eventful: dict[int, Array] = {}
     if friction:
@@ -126,13 +142,16 @@ def _held(
         works[row + 1] = work
     is_told = np.append(np.tile([at in told for at, _ in legs], periods), True)
     rows, works = rows[is_told], np.cumsum(works, axis=0)[is_told]
+    energy = _form(forms.energy, rows)
+    if system is not None:
+        energy, works = np.full_like(energy, np.nan), np.full_like(works, np.nan)
     return Course(
         np.arange(len(rows)) / (between + 1),
         rows[:, :-3] @ plant.position,
         rows[:, :-3] @ plant.velocity,
         rows @ forms.force,
         np.repeat(answers.measured, between + 1)[: len(rows)],
-        _form(forms.energy, rows),
+        energy,
         dict(zip(POWERS, works.T, strict=True)),
     )
 
@@ -168,6 +187,14 @@ def _between(
         z = z @ motion.legs(time, False).step.T
     every = np.stack(found, axis=1).reshape(-1, z.shape[1])
     return every[: len(every) - len(legs) + 1]
+
+
+def _system(engine: Engine) -> Plant | None:
+    """A device by its matrices, which do not say what its energies are."""
+    for part in engine.parts:
+        if isinstance(part, LinearDevice):
+            return part.before(moving_mass(), engine.mass, engine.period)
+    return None
 
 
 def _handle(engine: Engine) -> Handle | None:

@@ -632,12 +632,14 @@ class Scene(DeviceLoop):
         -------
         Simulation
             Arrays of shape (n,) with n = periods (``samples_between`` + 1) + 1.  If the motion
-            grows beyond the range of floats, values are NaN from there on.
+            grows beyond the range of floats, values are not finite from there on.  Energies of a
+            device that is given as ``dynamics`` are NaN.
 
         Raises
         ------
         ValueError
-            If an argument is not finite, out of its range or of the wrong dimension or shape.
+            If an argument is not finite, out of its range or of the wrong dimension or shape, and
+            for a start or Coulomb friction beside ``dynamics``.
 
         Notes
         -----

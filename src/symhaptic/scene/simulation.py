@@ -131,12 +131,13 @@ class Simulation:
         above.set(ylabel=f"position in {self._unit('m')}")
         for name, (_, unit) in _MEANINGS.items():
             energy = getattr(self, name)
-            if unit == "J" and energy is not None and np.any(energy):
+            if unit == "J" and energy is not None and np.nan_to_num(energy).any():
                 below.plot(self.time, energy, lw=1.2, label=name.removesuffix("_energy"))
         below.set(xlabel="time in s", ylabel="energy in J")
         for one in (above, below):
             one.spines[["top", "right"]].set_visible(False)
-            one.legend(frameon=False, fontsize=9)
+            if one.lines:
+                one.legend(frameon=False, fontsize=9)
         return above, below
 
     def _unit(self, linear: str) -> str:
@@ -194,17 +195,18 @@ def simulate(
         (scene.coulomb_friction or 0.0) / to_force,
         samples_between,
     )
-    energies = [work * to_energy for work in (found.energy, *found.works.values())]
-    return Simulation(
-        scene,
-        *walls,
-        found.time * period,
-        found.position,
-        found.velocity / period,
-        found.force * to_force,
-        found.measured,
-        *energies,
-    )
+    with np.errstate(over="ignore", invalid="ignore"):
+        energies = [work * to_energy for work in (found.energy, *found.works.values())]
+        return Simulation(
+            scene,
+            *walls,
+            found.time * period,
+            found.position,
+            found.velocity / period,
+            found.force * to_force,
+            found.measured,
+            *energies,
+        )
 
 
 def _unit(scene: DeviceLoop, linear: str) -> str:

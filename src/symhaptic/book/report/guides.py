@@ -9,7 +9,8 @@ from pathlib import Path
 from symhaptic.book.chapters import beside
 
 ORDER = (
-    *("tutorial", "limits", "loops", "devices", "sweep", "howto", "verify", "check", "export"),
+    *("tutorial", "limits", "loops", "simulation", "devices", "sweep", "howto"),
+    *("verify", "check", "export"),
     *("reports", "security", "verdicts", "found", "statements", "speed", "design", "language"),
 )
 """Of the guides, as they are read."""
