@@ -21,8 +21,6 @@ def scene_or_none(scene: Scene | None) -> None:
     """Raise :class:`ValueError` for what is no scene."""
     if scene is not None and not isinstance(scene, Scene):
         raise ValueError(f"scene: {shown(scene)} is not allowed; give a Scene")
-    if scene is not None:
-        scene.refuse_further("sweep")
 
 
 def plan_of(

@@ -202,6 +202,8 @@ class Plan:
         words = {name: str(value) for name, value in self.work.words.items()}
         if self.work.arm is not None:
             words["arm"] = str(self.work.arm)
+        if self.work.scene is not None:
+            words |= {n: repr(getattr(self.work.scene, n)) for n in self.work.scene.further}
         made = f"symhaptic {package()}, {kernels_used()} kernels"
         return {"title": self.work.says, "source": made, **words}
 
@@ -237,6 +239,7 @@ class Plan:
             "function": self.work.body,
             "words": {n: str(v) for n, v in self.work.words.items()},
             "arm": repr(self.work.arm),
+            "parts": repr(self.work.scene),
             "variables": [v.name for v in self.variables],
             "inputs": {
                 name: [

@@ -9,7 +9,7 @@ from __future__ import annotations
 import inspect
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import import_module
 from typing import Any, NamedTuple
 
@@ -188,6 +188,8 @@ class Work:
     """The arm that is added to the device, for results that count it."""
     rotary: bool = False
     """Whether the device turns."""
+    scene: Scene | None = None
+    """A scene with parts beyond the paper's loop, which is asked itself."""
 
     @property
     def meanings(self) -> dict[str, Meaning]:
@@ -200,6 +202,8 @@ class Work:
         """The results for arrays that broadcast."""
         if not self.in_si:
             return self._plain(arrays)
+        if self.scene is not None:
+            return _asked(self.scene, self.says, arrays, [r.kind for r in self.results])
         arrays = {"mass" if n == "inertia" else n: values for n, values in arrays.items()}
         if self.arm is not None:
             arrays = {n: _together(self.arm, n, values) for n, values in arrays.items()}
@@ -288,7 +292,72 @@ def work_of(
     results = tuple(_in_si(r, scene.rotary) for r in known.results)
     all_parts = (*parts, "inertia" if scene.rotary else "mass", "sampling_period")
     arm = None if known.passive else scene.arm
-    return Work(function, all_parts, results, words, name, known.statement, True, arm, scene.rotary)
+    own = None
+    if scene.further:
+        own = scene
+        if name not in _ASKED:
+            raise ValueError(
+                f"quantity: {name} of a scene with {scene.further[0]} is not allowed; "
+                f"give one of {', '.join(_ASKED)}"
+            )
+    return Work(
+        function, all_parts, results, words, name, known.statement, True, arm, scene.rotary, own
+    )
+
+
+_ASKED: dict[str, Callable[[Scene, Mapping[str, Any]], Any]] = {
+    "is_stable": lambda scene, at: scene.is_stable(at["K"], at["B"]),
+    "is_passive": lambda scene, at: scene.is_passive(at["K"], at["B"]),
+    "passivity_margin": lambda scene, at: scene.passivity_margin(at["K"], at["B"]),
+    "delay_margin": lambda scene, at: scene.delay_margin(at["K"], at["B"]),
+    "max_delay": lambda scene, at: scene.max_delay(at["K"], at["B"]),
+    "stability_boundary": lambda scene, at: scene.stability_boundary(at["frequency_hz"]),
+    "limit_at": lambda scene, at: scene.limit_at(at["B"])[::2],
+    "max_stable_stiffness": lambda scene, at: _one(scene.max_stable_stiffness()),
+    "max_passive_stiffness": lambda scene, at: _one(scene.max_passive_stiffness()),
+}
+"""What a scene with further parts answers, for arrays of walls."""
+
+_WALL = ("K", "B", "frequency_hz")
+
+
+def _one(found: Any) -> tuple[float, float, float]:
+    return found.K, found.B, found.frequency_hz
+
+
+def _asked(
+    scene: Scene, name: str, arrays: Mapping[str, Any], kinds: list[type]
+) -> tuple[Any, ...]:
+    """The answers of each device, period and delay among the arrays to its walls."""
+    each = dict(zip(arrays, np.broadcast_arrays(*arrays.values()), strict=True))
+    shape = next(iter(each.values())).shape
+    flat = {n: np.asarray(values, dtype=np.float64).ravel() for n, values in each.items()}
+    size = next(iter(flat.values())).size
+    found = [
+        np.full(size, False if kind is bool else np.nan) for kind in kinds
+    ]  # NaN is not stable
+    known = np.flatnonzero(~np.isnan(np.stack(list(flat.values()))).any(axis=0))
+    devices = [n for n in flat if n not in _WALL]
+    different, which = np.unique(
+        np.stack([flat[n][known] for n in devices], axis=1), axis=0, return_inverse=True
+    )
+    for row, numbers in enumerate(different):
+        here = known[which.ravel() == row]
+        own: dict[str, Any] = dict(zip(devices, map(float, numbers), strict=True))
+        if {"delay", "delay_samples"} & own.keys():
+            own = {"delay": None, "delay_samples": None, **own}
+        one = replace(
+            scene, **{n: None if v == 0 and n in _MAY_LACK else v for n, v in own.items()}
+        )
+        told = _ASKED[name](one, {n: flat[n][here] for n in _WALL if n in flat})
+        rows = told if isinstance(told, tuple) else (told,)
+        for n, values in enumerate(rows):
+            found[n][here] = values
+    return tuple(values.reshape(shape) for values in found)
+
+
+_MAY_LACK = ("damping", "stiffness", "delay", "delay_samples")
+"""Parts that a scene may be without; 0 says so here."""
 
 
 def _in_si(result: Result, rotary: bool) -> Result:
