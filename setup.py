@@ -1,4 +1,4 @@
-"""What pyproject.toml cannot say: the compiled kernels and loops, and the data that lies beside src/.
+"""What pyproject.toml cannot say: what is compiled, and the data that lies beside src/.
 
 The extensions are optional: where no compiler is found the package is installed without them, and
 everything runs on NumPy and on the kernels for arrays of any library.

@@ -328,7 +328,10 @@ def _one(found: Any) -> tuple[float, float, float]:
 def _asked(
     scene: Scene, name: str, arrays: Mapping[str, Any], kinds: list[type]
 ) -> tuple[Any, ...]:
-    """The answers of each device, period and delay among the arrays to its walls."""
+    """The answers of each device, period and delay among the arrays to its walls.
+
+    Where an argument is NaN the result is NaN, or no.
+    """
     each = dict(zip(arrays, np.broadcast_arrays(*arrays.values()), strict=True))
     shape = next(iter(each.values())).shape
     flat = {n: np.asarray(values, dtype=np.float64).ravel() for n, values in each.items()}
@@ -346,10 +349,8 @@ def _asked(
         own: dict[str, Any] = dict(zip(devices, map(float, numbers), strict=True))
         if {"delay", "delay_samples"} & own.keys():
             own = {"delay": None, "delay_samples": None, **own}
-        one = replace(
-            scene, **{n: None if v == 0 and n in _MAY_LACK else v for n, v in own.items()}
-        )
-        told = _ASKED[name](one, {n: flat[n][here] for n in _WALL if n in flat})
+        own |= {n: None for n in _MAY_LACK if own.get(n) == 0}
+        told = _ASKED[name](replace(scene, **own), {n: flat[n][here] for n in _WALL if n in flat})
         rows = told if isinstance(told, tuple) else (told,)
         for n, values in enumerate(rows):
             found[n][here] = values
