@@ -48,7 +48,7 @@ def test_another_filter_does_not_resume_a_store(tmp_path):
     B = np.linspace(0.0, 5.0, 6)
     sweep("max_stable_stiffness", FILTERED, B=B, chunks=2, to=tmp_path / "walls.zarr")
     other = replace(FILTERED, velocity=LowPass(cutoff=60))
-    with pytest.raises(ValueError, match="store|walls"):
+    with pytest.raises(ValueError, match=r"walls\.zarr"):
         sweep("max_stable_stiffness", other, B=B, chunks=2, to=tmp_path / "walls.zarr")
 
 
