@@ -1,8 +1,20 @@
-"""The notation of routines: functions of symbols, in which each call of ``do`` is a step.
+"""The notation of routines: Python functions of symbols, in which each call of ``do`` is a step.
 
-A routine that calls another one has a call among its steps, for all results of that one, or in an
-expression, for its only result.  Where arguments or results are a pair, a float and what it
-misses, the name of the second is that of the first with ``_low`` behind it.
+>>> @routine("total total_low", listed=False)
+... def fast_two_sum(x, y):
+...     \"\"\"x + y and what it misses, for |x| >= |y|\"\"\"
+...     total = do("total", x + y)
+...     back = do("back", total - x)
+...     return total, y - back
+>>> made = fast_two_sum.make()
+>>> made.steps
+((total, x + y), (back, total - x))
+>>> made.results
+(('total', total), ('total_low', -back + y))
+
+A routine can call another one.  If that one has several results, the call is a step; otherwise it
+is part of an expression.  A pair is a float and its rounding error: the name of the second is the
+name of the first with ``_low`` appended.
 """
 
 from __future__ import annotations
@@ -162,7 +174,7 @@ do = _Do()
 
 @dataclass(frozen=True)
 class Written:
-    """A routine in this notation; a call of it is a step, or a part of one."""
+    """A routine in this notation.  Calling it in another routine writes the call there."""
 
     write: Callable[..., Any]
     name: str
@@ -174,11 +186,11 @@ class Written:
 
     @cached_property
     def given(self) -> dict[str, Any]:
-        """The symbols of each parameter, which is one of them, a pair or a group."""
+        """For each parameter its symbol, its pair of symbols, or its group of symbols."""
         found: dict[str, Any] = {}
         for own, parameter in inspect.signature(self.write).parameters.items():
             one = Symbol(own)
-            pair = (one, Symbol(f"{own}_low")) if parameter.annotation == "Pair" else one
+            pair = (one, Symbol(f"{own}_low")) if parameter.annotation in (Pair, "Pair") else one
             found[own] = self.groups.get(own, pair)
         return {own: symbols for own, symbols in found.items() if own != "precision"}
 
@@ -189,31 +201,33 @@ class Written:
 
     @property
     def arguments(self) -> tuple[Symbol, ...]:
-        """All of them, one by one."""
+        """The symbols of all parameters."""
         return tuple(flat(tuple(self.given.values())))
 
     def __call__(self, *given: Any) -> Any:
-        """Its results, for arguments that are numbers or pairs."""
+        """The results, with pairs as tuples; arguments are numbers, pairs or groups."""
         flat = self._flat(given)
         if not self.gives:
             return sp.Function(self.name)(*flat)
         return shaped(self.called, do.several(self.called, self.name, *flat))
 
     def by_name(self, *given: Any) -> dict[str, Expr]:
-        """The same, each number by its name."""
+        """The results by name, with the parts of a pair apart."""
         found = do.several(self.called, self.name, *self._flat(given))
         return dict(zip(self.gives, found, strict=True))
 
     def of(self, known: dict[str, Expr]) -> Expr:
-        """Its only result, for arguments that are known by their names."""
+        """The only result, for arguments that are looked up by name."""
         return sp.Function(self.name)(*(known[s.name] for s in self.arguments))
 
     def _flat(self, given: Sequence[Any]) -> list[Expr]:
         found: list[Expr] = []
-        for symbols, value in zip(self.given.values(), given, strict=True):
-            one = flat(value)
-            if isinstance(symbols, tuple) and len(one) < len(symbols):
-                one.append(sp.S.Zero)  # what is no pair misses nothing
+        for (own, symbols), value in zip(self.given.items(), given, strict=True):
+            one, count = flat(value), len(flat(symbols))
+            if count == 2 and own not in self.groups and len(one) == 1:
+                one.append(sp.S.Zero)  # an exact number as a pair
+            if len(one) != count:
+                raise ValueError(f"{self.name}: {own} has {count} numbers, {len(one)} are given")
             found += one
         return found
 
@@ -231,7 +245,7 @@ class Written:
 
 
 def shaped(names: Sequence[str], found: Sequence[Expr]) -> Any:
-    """Results with each pair together; what is a pair alone is that pair."""
+    """Group the parts of each pair; a single pair or number is returned as it is."""
     parts: list[Any] = []
     for name, expr in zip(names, found, strict=True):
         if parts and name.endswith("_low"):
@@ -242,7 +256,7 @@ def shaped(names: Sequence[str], found: Sequence[Expr]) -> Any:
 
 
 def flat(found: Any) -> list[Expr]:
-    """Numbers and pairs as numbers."""
+    """Flatten nested tuples of numbers."""
     return [n for part in found for n in flat(part)] if isinstance(found, tuple) else [found]
 
 
@@ -254,21 +268,21 @@ def routine(
     gives: str = "", called: str = "", record: str = "", takes: str = "", name: str = "",
     listed: bool = True, **groups: tuple[Symbol, ...],
 ) -> Callable[[Callable[..., Any]], Written]:  # fmt: skip
-    """A function as a routine: its parameters are symbols, its docstring says what it computes.
+    """Turn a function into a routine.  Its docstring becomes the comment in exported source.
+
+    A parameter of the function stands for a symbol of the same name, or for a pair if its
+    annotation is ``Pair``.  A parameter ``precision`` is not an argument of the routine: it gets
+    the :class:`~symhaptic.export.precision.Precision` that the routine is made for.
 
     Parameters
     ----------
-    gives : names of the results, where there is more than one
-    called : the names that these get in another routine, where they are others there
-    record : what all results are together, where a language has a type for that
-    takes : such records that have arguments of it
-    name : that of the routine, if it is not the function's
-    listed : whether it is a routine of every library
-
-    groups : by the names of parameters, symbols that are given together
-
-    Any other parameter is one symbol, or a pair where its annotation is ``Pair``.  ``precision`` is
-    no argument, but what the routine depends on.
+    gives : names of the results, if there are several
+    called : names of the results in the steps of a caller; default is ``gives``
+    record : name of the struct of all results, for languages that have structs
+    takes : names of the structs that contain arguments of this routine
+    name : name of the routine; default is the name of the function
+    listed : whether the routine is added to :data:`ROUTINES`
+    groups : for parameters that stand for several symbols, these symbols
     """
 
     def made(write: Callable[..., Any]) -> Written:
@@ -283,7 +297,7 @@ def routine(
 
 
 def pick(condition: Boolean, yes: Any, no: Any) -> Any:
-    """One of two numbers, or of each of two groups of them."""
+    """Choose between two numbers, or element by element between two tuples of numbers."""
     if not isinstance(yes, tuple):
         return choose(condition, yes, no)
     others = no if isinstance(no, tuple) else (no,) * len(yes)

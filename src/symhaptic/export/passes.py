@@ -28,6 +28,7 @@ from symhaptic.export.routine import (
     names,
     parts,
     propagated,
+    replaced,
     rewritten,
 )
 from symhaptic.forms import fractional_delay
@@ -145,25 +146,17 @@ def _with_named_bases(expr: Expr, done: list[Step], fresh: Iterable[Symbol]) -> 
 class LateFirst(sp.Function):  # type: ignore[misc]
     """m2 of a device behind a fraction of a period."""
 
-    nargs = 3
-
 
 class LateKick(sp.Function):  # type: ignore[misc]
     """What an impulse moves it in the rest of the period."""
-
-    nargs = 3
 
 
 class LateLast(sp.Function):  # type: ignore[misc]
     """m0 of it."""
 
-    nargs = 3
-
 
 class LateApart(sp.Function):  # type: ignore[misc]
     """m2 - m1 + m0 of it."""
-
-    nargs = 3
 
 
 MERGED = (
@@ -182,6 +175,8 @@ _TOGETHER: dict[tuple[str, ...], str] = {
 }
 """Routines that find several results of their own; not all of them are asked for everywhere."""
 
+_RESPONSE = "part of A/(z M), M over A being the device, at z = exp(2 j psi)"
+
 _CALLS = (Entire, Compensated, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
 
 
@@ -199,10 +194,9 @@ def _with_parts(user: Routine) -> Routine:
     whole, part = fresh("whole", taken), fresh("part", taken)
     known = {WholePart(delay): whole, FractionalPart(delay): part}
     known[SomePart(delay)] = choose(sp.Eq(part, 0), sp.S.Half, part)
-    steps = [(whole, sp.floor(delay)), (part, delay - whole)]
-    steps += [(name, expr.xreplace(known)) for name, expr in user.assignments]
-    results = tuple((name, expr.xreplace(known)) for name, expr in user.results)
-    return replace(user, steps=tuple(steps), results=results)
+    found: Routine = replaced(user, known)
+    first = (whole, sp.floor(delay)), (part, delay - whole)
+    return replace(found, steps=(*first, *found.steps))
 
 
 def merged(user: Routine) -> Routine:
@@ -305,11 +299,12 @@ def fused(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
     results = tuple((name, last.get(s, s)) for name, s in results)
     asked = used.keys() | {s for _, value in results for s in value.free_symbols}
     order = [_rounded(made, asked) for made in order if last.keys().isdisjoint(names(made))]
-    about = _together([routines[part].about for part in parts])
+    about, record = " and ".join(routines[part].about for part in parts), ""
     if set(arguments) == _PLANT:
         *some, last_ = (name for name, _ in results)
         about = f"{', '.join(some)} and {last_} of the device"
-    record = "Response" if "Ahead" in parts else ""
+    elif tuple(parts) == ("Ahead", "InPhase"):
+        about, record = f"the imaginary and the real {_RESPONSE}", "Response"
     return Routine("_".join(parts), about, arguments, tuple(order), results, record=record)
 
 
@@ -336,20 +331,6 @@ def _of_many(result: Expr) -> Expr:
 
 def _calls(call: Expr) -> bool:
     return any(arg.atoms(*_CALLS) for arg in call.args)
-
-
-def _together(told: list[str]) -> str:
-    """What several routines are, with the words at the end that all share said once.
-
-    >>> _together(["the sine of x", "the cosine of x"])
-    'the sine and the cosine of x'
-    """
-    words = [text.split() for text in told]
-    least, shared = min(map(len, words)), 0
-    while shared < least - 1 and len({one[-shared - 1] for one in words}) == 1:
-        shared += 1
-    heads = [" ".join(one[: len(one) - shared]) for one in words]
-    return " ".join([" and ".join(heads), *words[0][len(words[0]) - shared :]])
 
 
 # -- Arguments that are 0 in every call, or idle then: those of a spring that a scene has not ----
