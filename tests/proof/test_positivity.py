@@ -133,6 +133,20 @@ def test_a_failed_search_is_kept_too(monkeypatch):
         nlinarith(x > 1, x > 0)
 
 
+def test_a_failed_search_on_the_way_to_a_proof_is_not_kept():
+    """The next time the proof is found without it."""
+    Given(x > 0, y > 0).show(1 / x + y > 0)
+    assert None not in positivity.USED.values()
+
+
+def test_without_search_only_a_certificate_counts(monkeypatch):
+    with pytest.raises(NotShown, match="has no certificate"):
+        nlinarith(CLAIM, *KNOWN, search=False)
+    nlinarith(CLAIM, *KNOWN)
+    monkeypatch.setattr(optimize, "linprog", no_search)
+    assert nlinarith(CLAIM, *KNOWN, search=False).conclusion == CLAIM
+
+
 def test_what_is_assumed_stays_and_the_rest_is_closed():
     here = Given(x > 0, x < 1)
     found = here.closed(inst(assume(y > 0), {y: x + 1}))
