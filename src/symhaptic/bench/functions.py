@@ -170,9 +170,6 @@ def confirm(form: Form, arrays: list[Array], digits: int = 50) -> None:
 
 # -- the ways to compute a function -----------------------------------------------------------
 
-KINDS_OF_C: tuple[Any, ...] = (np.float64,)
-"""Precisions in which C is exported."""
-
 DIGITS = (30, 50)
 BITS = (53, 128)
 
@@ -194,18 +191,15 @@ class Way:
 def ways(form: Form, folder: Path) -> Iterator[Way]:
     """All ways to compute a form; C is compiled in ``folder``, where there is a compiler."""
     stable = getattr(functions(form), form.name)
-    forms = ["printed", "derived"]
-    if expressions(form, "printed") == expressions(form, "derived"):
-        forms.pop()
-    if not expressions(form, "printed"):
-        forms = []
+    printed, derived = (expressions(form, kind) for kind in ("printed", "derived"))
+    forms = ["printed"] * bool(printed) + ["derived"] * (derived != printed)
     for kind in (np.float32, np.float64):
         for name in forms:
             yield _in(kind, name, _real(function(form, name, "numpy"), swings(form, name), kind))
         yield _in(kind, "stable", lambda arrays: _listed(stable(*arrays)))
     if shutil.which("gcc"):
-        for kind in KINDS_OF_C:
-            yield _in(kind, "C", partial(_in_c, compiled(form, folder)))
+        run = compiled(form, folder)
+        yield _in(np.float64, "C", lambda arrays: list(run(list(arrays))))
     if form.name in _OWN:
         yield _in(np.float64, "package", partial(_own, form.name))
     for digits in DIGITS:
@@ -233,10 +227,6 @@ def _real(call: Callable[..., Any], complex: bool, kind: Any) -> Callable[..., S
         return lambda arrays: call(*arrays)
     wide = np.result_type(kind, np.complex64)
     return lambda arrays: [np.real(v) for v in call(*(a.astype(wide) for a in arrays))]
-
-
-def _in_c(call: Callable[[list[Array]], Array], arrays: Sequence[Array]) -> Sequence[Array]:
-    return list(call(list(arrays)))
 
 
 # what the package itself computes with; a form's other functions have other arguments there

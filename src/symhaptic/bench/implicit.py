@@ -15,7 +15,7 @@ from flint import arb, arb_series
 
 from symhaptic.bench import closed, winding
 from symhaptic.bench.closed import HALF, SHORT, required_damping, required_damping_at
-from symhaptic.bounds.newton import narrowed
+from symhaptic.bounds.balls import narrowed
 
 _MANY = 40
 """Angles up to theta (d + 1) = pi."""

@@ -21,7 +21,7 @@ import numpy as np
 from flint import acb, acb_poly, arb, arb_poly
 
 from symhaptic.bench.closed import delayed, device
-from symhaptic.bounds.newton import narrowed
+from symhaptic.bounds.balls import narrowed
 
 BITS = (160, 320, 640, 1280, 2560)
 """Working precisions, tried one after the other."""

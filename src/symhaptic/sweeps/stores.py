@@ -228,7 +228,7 @@ class Store:
 
 
 class Zarr(Store):
-    """A Zarr group, one chunk per block; ``blocks/done`` has the checksums of finished blocks."""
+    """A Zarr group with one chunk per block; ``blocks/done`` has checksums of finished blocks."""
 
     ABOUT = "zarr.json"
     DRAFTS = "*.partial"

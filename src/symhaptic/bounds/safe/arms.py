@@ -8,7 +8,9 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import NamedTuple, TypeAlias
 
-from flint import arb, fmpq
+from flint import arb
+
+from symhaptic.bounds.balls import exact
 
 Ends: TypeAlias = tuple[Fraction, Fraction]
 """The lowest and the highest."""
@@ -57,11 +59,6 @@ class Moved(NamedTuple):
     mass: tuple[arb, arb]
     damping: tuple[arb, arb]
     stiffness: tuple[arb, arb]
-
-
-def exact(value: Fraction) -> arb:
-    """A ball around a number."""
-    return arb(fmpq(value.numerator, value.denominator))
 
 
 def span(ends: Ends) -> arb:

@@ -15,7 +15,8 @@ from typing import NamedTuple
 
 from flint import acb, acb_poly, arb, arb_mat, ctx
 
-from symhaptic.bounds.safe.arms import Ends, Hands, Loops, exact, midway, moved, ratios, span
+from symhaptic.bounds.balls import exact, sinc
+from symhaptic.bounds.safe.arms import Ends, Hands, Loops, midway, moved, ratios, span
 from symhaptic.bounds.safe.prove import Columns
 
 BITS = 80
@@ -239,7 +240,7 @@ def _numerator(loops: Loops, arc: Ends, hands: Hands) -> tuple[arb, arb]:
         right, tilt = arb(0), arb(0)
         for m, c in zip(numbers, (late + half, late - half, late - 3 * half), strict=True):
             right += m * (c * theta).cos()
-            tilt += m * c * _slope(low * c.abs_lower(), high * c.abs_upper())
+            tilt += m * c * sinc(low * c.abs_lower(), high * c.abs_upper())
         return right, tilt
     one = midway(loops)
     right, tilt = _numerator(one, arc, hands)
@@ -249,20 +250,13 @@ def _numerator(loops: Loops, arc: Ends, hands: Hands) -> tuple[arb, arb]:
     for m, by, c in zip(_numbers(one, hands)[:3], drift, phases, strict=True):
         there, cosine = m + away * by, (c * theta).cos()
         right += away * (by * cosine - there * theta * (c * theta).sin())
-        tilt += away * (by * c * _slope(low * c.abs_lower(), high * c.abs_upper()) + there * cosine)
+        tilt += away * (by * c * sinc(low * c.abs_lower(), high * c.abs_upper()) + there * cosine)
     return right, tilt
 
 
 def _between(ends: tuple[arb, arb], c: arb) -> arb:
     """c times all numbers between two."""
     return (c * ends[0]).union(c * ends[1])
-
-
-def _slope(low: arb, high: arb) -> arb:
-    """sin(x)/x; it falls up to pi."""
-    if high <= 3:
-        return low.sinc().union(high.sinc())
-    return low.union(high).sinc()
 
 
 def _enclosed(loops: Loops, arc: Ends, hands: Hands) -> tuple[arb, arb, arb, arb, arb]:
@@ -272,7 +266,7 @@ def _enclosed(loops: Loops, arc: Ends, hands: Hands) -> tuple[arb, arb, arb, arb
     T, d = exact(loops.period), span(loops.periods)
     low, high = exact(arc[0]), exact(arc[1])
     theta, lag = low.union(high), d + arb(1) / 2
-    spread, sine = _slope(low, high), theta.sin()
+    spread, sine = sinc(low, high), theta.sin()
     right, lifted = _numerator(loops, arc, hands)
     tilt, aside = lifted / spread, lifted * theta
     size = right * right + aside * aside
@@ -289,7 +283,7 @@ def _enclosed(loops: Loops, arc: Ends, hands: Hands) -> tuple[arb, arb, arb, arb
 
     leading, lagging = ahead.real / half, ahead.imag / half * sine
     K = pushed(leading) + _between(damping, share * lagging / T)
-    wave = _slope(low * lag.lower(), high * lag.upper()) / spread * lag
+    wave = sinc(low * lag.lower(), high * lag.upper()) / spread * lag
     rise = (right * wave - tilt * (lag * theta).cos()) / size
     B = T * pushed(rise) - _between(damping, share * turned.real)
     slope = T * rise / leading

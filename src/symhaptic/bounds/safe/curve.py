@@ -20,12 +20,12 @@ from typing import NamedTuple, TypeAlias
 
 from flint import arb, arb_series
 
+from symhaptic.bounds.balls import exact, sinc
 from symhaptic.bounds.safe.arms import (
     Ends,
     Hands,
     Loops,
     Moved,
-    exact,
     midway,
     moved,
     ratios,
@@ -188,13 +188,6 @@ def _seen(loops: Loops, hands: Hands, low: arb, high: arb) -> tuple[arb, arb]:
     return right + away * by_right, up + away * by_up
 
 
-def _falling(low: arb, high: arb) -> arb:
-    """sin(x)/x between two angles of 0 to pi, where it falls; beyond, as a quotient."""
-    if high <= 3:
-        return low.sinc().union(high.sinc())
-    return low.union(high).sinc()
-
-
 def walls(loops: Loops, angles: Ends, hands: Hands) -> Walls:
     """Where the walls lie that have a root exp(j theta) for some arm and angle of the piece."""
     plant = late(loops, hands)
@@ -204,14 +197,14 @@ def walls(loops: Loops, angles: Ends, hands: Hands) -> Walls:
     psi = theta * turns
     sine, s = theta.sin(), (low / 2).sin().union((high / 2).sin())
     tangent, cosine, across = s / (theta / 2).cos(), psi.cos(), psi.sin()
-    spread = _falling(low, high)
+    spread = sinc(low, high)
     right, lifted = _seen(loops, hands, low, high)
     up, aside = lifted / spread, lifted * theta
     size = right * right + aside * aside  # a ball around 0 itself to the second power is NaN
     along = (right * cosine + aside * across) / size
     beside = (right * across - aside * cosine) / size
     pushed, dragged = along - tangent * beside, sine * (beside + tangent * along)
-    ratio = _falling(low * turns.lower(), high * turns.upper()) / spread
+    ratio = sinc(low * turns.lower(), high * turns.upper()) / spread
     rise = (right * turns * ratio - up * cosine) / size
     mass, damping, stiffness = plant.moved
     heavy = (
@@ -250,7 +243,7 @@ _HALF = arb(1) / 2
 
 def _turned(c: arb, low: arb, high: arb) -> arb:
     """sin(c theta)/(c theta)."""
-    return _falling(low * c.abs_lower(), high * c.abs_upper())
+    return sinc(low * c.abs_lower(), high * c.abs_upper())
 
 
 def _ends(value: arb) -> tuple[float, float]:

@@ -14,7 +14,8 @@ from fractions import Fraction
 import numpy as np
 from flint import arb, ctx
 
-from symhaptic.bounds.safe.arms import Loops, exact
+from symhaptic.bounds.balls import exact, sinc
+from symhaptic.bounds.safe.arms import Loops
 from symhaptic.numeric.passivity import passivity_boundary
 
 _BITS = 64
@@ -52,19 +53,12 @@ def _spare(loops: Loops, K: arb, B: arb, low: arb, high: arb) -> arb:
     needs = []
     for d in (loops.steps, loops.steps + 1):
         turns = arb(2 * d + 1) / 2
-        wave = turns * _sinc(low * turns, high * turns) / spread
+        wave = turns * sinc(low * turns, high * turns) / spread
         needs.append(K * T * wave - B * ((d + 1) * theta).cos())
     need = needs[0] + part * (needs[1] - needs[0])
     chord = (low / 2).sin().union((high / 2).sin())
     size = (K * T) ** 2 + 4 * B * (K * T + B) * chord**2
     return b * b - b * need - part * (1 - part) * size / 4
-
-
-def _sinc(low: arb, high: arb) -> arb:
-    """sin(x)/x; it falls up to pi."""
-    if high <= 3:
-        return low.sinc().union(high.sinc())
-    return low.union(high).sinc()
 
 
 def passive(loops: Loops, share: Fraction = Fraction(995, 1000)) -> tuple[Wall, ...]:

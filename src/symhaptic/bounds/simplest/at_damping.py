@@ -19,7 +19,7 @@ from typing import NamedTuple
 import sympy as sp
 from flint import arb, arb_poly
 
-from symhaptic.bounds.newton import TooMany, narrowed, pieces
+from symhaptic.bounds.balls import TooMany, exact, narrowed, pieces
 from symhaptic.bounds.simplest.cost import positive
 from symhaptic.bounds.simplest.plants import (
     NAMES,
@@ -30,7 +30,6 @@ from symhaptic.bounds.simplest.plants import (
     Numbers,
     chained,
     compiled,
-    number,
     numbers,
 )
 from symhaptic.model import linear
@@ -111,7 +110,7 @@ def error_of_line(delay: int) -> Limit:
 
     alpha_lin = (beta + delta)/(d + 1/2), and Delta is the boundary's surplus over this line.
     """
-    arc, share = _arc(delay), number(Fraction(2, 2 * delay + 1))
+    arc, share = _arc(delay), exact(Fraction(2, 2 * delay + 1))
 
     def error(box: Box, hint: object = None) -> Found:
         curve = arc(box)
@@ -166,7 +165,7 @@ def _arc(delay: int) -> Callable[[Box], _Arc]:
         for along in (x.by_gamma, x.by_delta):
             inner = [chained(part, along) for part in by]
             found.append([chained(part, inner) for part in slopes])
-        ways = [y.ball - number(y.middle) for y in box[:2]]
+        ways = [y.ball - exact(y.middle) for y in box[:2]]
         there = zip(values(*named(*middle.values)), *found, strict=True)
         rows = [[v + g * ways[0] + f * ways[1] for v, g, f in there], *found]
         return _Arc(*(_Part(*(arb_poly(row[i:j]) for row in rows)) for i, j in ends))

@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 from flint import arb, ctx
 
+from symhaptic.bounds.balls import exact
 from symhaptic.bounds.simplest.plants import (
     BITS,
     NOTHING,
@@ -25,7 +26,6 @@ from symhaptic.bounds.simplest.plants import (
     Limit,
     NotCovered,
     NotEnclosed,
-    number,
 )
 
 _PIECES = 1000
@@ -180,7 +180,7 @@ def _bounded(error: Limit, piece: _Piece) -> _Piece:
         widest = max(range(len(box)), key=lambda i: box[i].high - box[i].low)
         return piece._replace(parts=_halved(box, widest))
     there = _at_point(error, middle, found.hint)
-    ways = [s * (x.ball - number(x.middle)) for s, x in zip(found.slopes, box, strict=True)]
+    ways = [s * (x.ball - exact(x.middle)) for s, x in zip(found.slopes, box, strict=True)]
     return _Piece(
         box,
         found.hint,

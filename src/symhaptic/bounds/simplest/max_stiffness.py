@@ -16,7 +16,7 @@ import sympy as sp
 from flint import arb
 from sympy import Expr
 
-from symhaptic.bounds.newton import TooMany, narrowed, pieces
+from symhaptic.bounds.balls import TooMany, narrowed, pieces
 from symhaptic.bounds.simplest.plants import (
     NAMES,
     Box,

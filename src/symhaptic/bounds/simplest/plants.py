@@ -13,10 +13,11 @@ from functools import cached_property, lru_cache
 from typing import NamedTuple, TypeAlias
 
 import sympy as sp
-from flint import arb, fmpq
+from flint import arb
 from sympy import Expr
 from sympy.printing.pycode import PythonCodePrinter
 
+from symhaptic.bounds.balls import exact
 from symhaptic.notation import delta, gamma
 from symhaptic.proof.derivative import derivative
 from symhaptic.proof.plants import AT_ONE, LATE, LOSS, TOGETHER, with_slopes
@@ -50,7 +51,7 @@ class Interval(NamedTuple):
     @property
     def ball(self) -> arb:
         """A ball around all of it."""
-        return number(self.low).union(number(self.high))
+        return exact(self.low).union(exact(self.high))
 
     @property
     def point(self) -> Interval:
@@ -82,11 +83,6 @@ Limit: TypeAlias = Callable[[Box, object], Found]
 """Finds a stiffness limit on a box; raises :class:`NotEnclosed`."""
 
 
-def number(value: Fraction) -> arb:
-    """A ball around an exact number."""
-    return arb(fmpq(value.numerator, value.denominator))
-
-
 class Numbers(NamedTuple):
     """Balls of ``NAMES``, and of their slopes by gamma and by delta."""
 
@@ -103,8 +99,8 @@ def numbers(spring: Interval, damper: Interval) -> Numbers:
     whole intervals.
     """
     wide = _numbers(spring.ball, damper.ball)
-    middle = _numbers(number(spring.middle), number(damper.middle))
-    ways = spring.ball - number(spring.middle), damper.ball - number(damper.middle)
+    middle = _numbers(exact(spring.middle), exact(damper.middle))
+    ways = spring.ball - exact(spring.middle), damper.ball - exact(damper.middle)
     along = zip(middle.values, wide.by_gamma, wide.by_delta, strict=True)
     return wide._replace(values=tuple(v + g * ways[0] + f * ways[1] for v, g, f in along))
 
@@ -148,13 +144,13 @@ _FUNCTIONS = {
 
 def compiled(exprs: Sequence[Expr], given: Sequence[sp.Symbol] = NAMES) -> Callable[..., list[arb]]:
     """Balls of expressions, for balls of the symbols ``given``."""
-    exact = [sp.sympify(x) for x in exprs]
-    for x in exact:
+    formulas = [sp.sympify(x) for x in exprs]
+    for x in formulas:
         if x.has(sp.Float) or x.free_symbols - set(given):
             raise ValueError(f"{x} is no formula in {given}")
     printer = _Printer({"fully_qualified_modules": False, "user_functions": {}})
     made: Callable[..., list[arb]] = sp.lambdify(
-        given, exact, modules=[_FUNCTIONS], printer=printer, cse=True, docstring_limit=0
+        given, formulas, modules=[_FUNCTIONS], printer=printer, cse=True, docstring_limit=0
     )
     return made
 

@@ -1,16 +1,29 @@
-"""Zeros of functions in balls: by halves where the slope has no sign, else by Newton's steps."""
+"""Balls around numbers and intervals, and the zeros of functions in balls."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 
-from flint import arb
+from flint import arb, fmpq
 
 _PIECES = 600
 """So many pieces of an interval are tried."""
 
 _LEAST = 2**-7
 """Pieces are not halved below this length."""
+
+
+def exact(value: Fraction) -> arb:
+    """A ball around a number."""
+    return arb(fmpq(value.numerator, value.denominator))
+
+
+def sinc(low: arb, high: arb) -> arb:
+    """sin(x)/x between two angles from 0 on; it falls up to pi."""
+    if high <= 3:
+        return low.sinc().union(high.sinc())
+    return low.union(high).sinc()
 
 
 class TooMany(ArithmeticError):
