@@ -4,7 +4,7 @@ BIN := .venv/bin
 # what Python has compiled is kept: a test that starts processes would compile the package in each
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: report certificates test ci check conditions mutants rocq bench clean
+.PHONY: report certificates test ci check bounds mutation conditions mutants rocq bench clean
 
 report: .venv/ready
 	$(BIN)/symhaptic report
@@ -34,6 +34,15 @@ check: .venv/ready
 	SYMHAPTIC_SOUNDNESS=$(SOUNDNESS) $(BIN)/pytest $(SIDE_BY_SIDE) -m 'slow or not slow'
 	SYMHAPTIC_KERNELS=array $(BIN)/pytest -n 2 tests/numeric tests/test_hard_cases.py
 	$(MAKE) -j2 -O conditions mutants
+	$(MAKE) bounds mutation
+
+# the oldest and the newest versions of all dependencies that pyproject.toml allows
+bounds:
+	PYTHON=$(PYTHON) .ci/bounds
+
+# what differs from the branch main, changed in one place at a time: its quick tests have to notice
+mutation: .venv/ready
+	$(BIN)/python .ci/mutation --since $(SINCE)
 
 conditions: .venv/ready
 	$(BIN)/pytest -s -p soundness.unconditional $(ATTACKS)
@@ -47,6 +56,8 @@ SIDE_BY_SIDE := -n 2 --dist worksteal --durations 12
 ATTACKS := $(patsubst %,tests/soundness/test_%.py,kernel captured_names inert_terms \
 	internal_names leaves leaves_right judge chapters) $(wildcard tests/soundness/test_rules_*.py) \
 	$(wildcard tests/soundness/test_axiom*.py)
+
+SINCE ?= main
 
 # how many random identities `prove` is held to; a tenth as many boxes are
 SOUNDNESS ?= 100000

@@ -262,8 +262,8 @@ BAD_INPUT = {
     "folder missing": (["verify", "eq1", "-o", "nowhere/out.txt"], "nowhere"),
     "unknown command": (["frobnicate"], "'frobnicate'"),
     "unknown option": (["report", "--frobnicate"], "--frobnicate"),
-    "too small a number": (["verify", "--workers", "0"], "'--workers': '0' should be greater"),
-    "no number": (["export", "--delay", "two"], "'two' should be a valid integer"),
+    "too small a number": (["verify", "--workers", "0"], "Invalid value for '--workers': "),
+    "no number": (["export", "--delay", "two"], "Invalid value for '--delay': 'two' "),
     "one word too many": (["report", "book"], "(book); allowed is what --help lists"),
     "unknown chapter": (
         ["report", "--chapter", "s3d_figure"],

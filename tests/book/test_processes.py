@@ -252,7 +252,8 @@ def test_nothing_is_lost_or_left_at_any_moment(kind, used):
         while alive(mark) and time.monotonic() < until:
             time.sleep(0.05)
         what = f"kill {i} of {kind} by {number.name} after {moment:.3f} of {took:.1f} s\n{said}"
-        assert "Traceback" not in said or (kind == "sweep" and number == signal.SIGINT), what
+        if kind != "sweep" or number != signal.SIGINT:  # else where Python itself begins
+            assert "Traceback" not in said or ", in main\n" not in said, what
         assert alive(mark) == [], what
         assert os.listdir(temporary) == [], what
         found = contents(used)
@@ -262,8 +263,8 @@ def test_nothing_is_lost_or_left_at_any_moment(kind, used):
             folders = [path for path in used.rglob("*") if path.is_dir()]
             assert all(any(folder.iterdir()) for folder in folders), what
             if process.returncode > 0:  # less than 0 where Python itself begins or ends
-                assert process.returncode == 128 + number, what
-                assert said.splitlines(keepends=True)[-1] == INTERRUPTED, what
+                assert "Traceback" in said or process.returncode == 128 + number, what
+                assert said == "" or said.endswith(INTERRUPTED) or "Traceback" in said, what
         if kind not in ("sweep", *VARY):
             assert all(found[name] == whole[name] for name in found), what
     with begun() as process:  # a sweep goes on, all others begin anew
