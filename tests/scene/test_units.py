@@ -5,6 +5,7 @@ import sys
 import time
 from fractions import Fraction
 from itertools import product
+from random import Random
 
 import pytest
 
@@ -109,6 +110,52 @@ def test_products_of_symbols_are_what_pint_says():
         text = f"{first}{sign}{angle}"
         theirs = THEIRS.Quantity(3.0, text).to("N*m/rad").magnitude
         assert number("K", f"3 {text}", "N*m/rad") == pytest.approx(theirs, rel=4e-16)
+
+
+NAMES = (
+    *(
+        "g",
+        "kg",
+        "m",
+        "mm",
+        "s",
+        "ms",
+        "us",
+        "N",
+        "kN",
+        "mN",
+        "J",
+        "Hz",
+        "rad",
+        "deg",
+        "turn",
+        "rpm",
+    ),
+    *("min", "lb", "inch", "second", "newton", "degrees"),
+)
+POWERS = "^2", "**2", "²", "^-1", "**-2", "**3", " squared", " cubed"
+
+
+def some_product(dice, depth=0):
+    """A random product of units with powers and brackets, as Pint reads it."""
+    factors = []
+    for _ in range(dice.randint(1, 4)):
+        name = dice.choice(NAMES) + dice.choice([""] * 30 + [*POWERS])
+        if depth < 2 and dice.random() < 0.2:
+            name = f"({some_product(dice, depth + 1)})"
+        factors += [name, dice.choice(["*", " ", "/", " / ", " per ", "·"])]
+    return "".join(factors[:-1])
+
+
+@needs_pint
+def test_random_products_are_what_pint_says():
+    dice = Random(4)
+    for text in (some_product(dice) for _ in range(400)):
+        theirs = THEIRS.Quantity(3.0, text).to_base_units()
+        largest = max(map(abs, dict(theirs.unit_items()).values()), default=0)
+        if len(text) <= 80 and largest <= 9:
+            wanted = f"{theirs.units:~C}" if theirs.units != THEIRS.dimensionless else ""
+            assert number("x", f"3 {text}", wanted) == pytest.approx(theirs.magnitude, rel=1e-12)
 
 
 @pytest.mark.parametrize("unit", SI)

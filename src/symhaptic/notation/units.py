@@ -47,7 +47,7 @@ class Unit(NamedTuple):
         """
         kg, m, s = wanted.dimension
         rotates = (kg, m) == (1, 2) and (wanted.angle == -1 or s == 0)
-        allowed = (0, -1, -2) if rotates else (wanted.angle,)
+        allowed = {wanted.angle} | ({0, -1, -2} if rotates else set())
         return self.dimension == wanted.dimension and self.angle in allowed
 
 
