@@ -182,8 +182,7 @@ def reference(A, wall, outside, friction, law, times, forces, start):
     ``wall`` and ``outside`` are columns; ``law`` is from a sampled state to a command that acts
     at once, ``forces`` from outside, one a period.  States at ``times``, all in SI units.
     """
-    x, told = np.array(start, dtype=float), []
-    m = 1 / outside[1]
+    x, told, m = np.array(start, dtype=float), [], M
     for k, force in enumerate(forces):
         command = law(x)
         t, end = k * T, (k + 1) * T
@@ -217,26 +216,40 @@ def reference(A, wall, outside, friction, law, times, forces, start):
     return np.array(told)
 
 
-@pytest.mark.parametrize("lag", [None, 4e-4, 5e-3])
 @pytest.mark.parametrize("k", [0.0, 40.0])
-def test_stick_and_slip_are_those_of_an_integrator_with_events(lag, k):
+@pytest.mark.parametrize(
+    "part",
+    [None, Lag(time_constant=4e-4), Lag(time_constant=5e-3),
+     SecondMass(mass=0.05, stiffness=800.0, damping=0.2)],
+    ids=str,
+)  # fmt: skip
+def test_stick_and_slip_are_those_of_an_integrator_with_events(part, k):
     """A device that is dragged to and fro, so that it stops and breaks away several times."""
     K, B, f_c = 300.0, 0.5, 0.4
-    parts = {"actuator": None if lag is None else Lag(time_constant=lag)}
+    name = "structure" if isinstance(part, SecondMass) else "actuator"
     scene = Scene(
         mass=M, damping=D, stiffness=k, sampling_period=T, coulomb_friction=f_c,
-        encoder=Encoder(resolution=1e-4), velocity=Measured(), **parts,
+        encoder=Encoder(resolution=1e-4), velocity=Measured(), **{name: part},
     )  # fmt: skip
     forces = 0.9 * np.sin(np.arange(300) / 30.0)
     found = scene.simulate(
         K, B, duration=0.3, position0=1e-3, velocity0=0.05, external_force=forces, samples_between=3
     )
-    A = np.array([[0, 1.0], [-k / M, -D / M]])
+    A, start = np.array([[0, 1.0], [-k / M, -D / M]]), [1e-3, 0.05]
     wall = outside = np.array([0, 1 / M])
-    if lag is not None:
-        A = np.block([[A, np.array([[0], [1 / M]])], [np.zeros((1, 2)), -np.ones((1, 1)) / lag]])
+    if isinstance(part, Lag):
+        lag = part.time_constant
+        A = np.array([[*A[0], 0], [*A[1], 1 / M], [0, 0, -1 / lag]])
         wall, outside = np.array([0, 0, 1 / lag]), np.array([0, 1 / M, 0])
-    start = np.r_[1e-3, 0.05, np.zeros(len(A) - 2)]
+        start = [*start, 0.0]
+    elif part is not None:
+        between = np.array([part.stiffness, part.damping])
+        A = np.block([[A, np.zeros((2, 2))], [np.zeros((2, 4))]])
+        A[2, 3] = 1.0
+        A[1] += np.r_[-between, between] / M
+        A[3] = np.r_[between, -between] / part.mass
+        wall, outside = np.array([0, 1 / M, 0, 0]), np.array([0, 0, 0, 1 / part.mass])
+        start = [*start, *start]
 
     def law(x):
         return -K * 1e-4 * np.round(x[0] / 1e-4) - B * x[1]

@@ -1,4 +1,4 @@
-"""The law of a wall as a controller computes it: from one sample to the command for the next."""
+"""The wall as a controller computes it: from the position at a sample to the command."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Wall:
     beta: float
     virtual_mass: float = 0.0
     unilateral: bool = False
-    """Whether it is at x > 0 alone and only pushes."""
+    """Whether it occupies x > 0 and only pushes."""
     saturation: float | None = None
     """The largest command."""
     resolution: float | None = None
@@ -50,8 +50,8 @@ def controller(
 ) -> Callable[[float, float], tuple[float, float]]:
     """From position and velocity at a sample to the measured position and the command.
 
-    Before the first sample the device moved from afar with the position and the velocity of
-    ``start``, so that the filter of the velocity is in steady state.
+    Before the first sample the device moved with the constant velocity of ``start``, so that the
+    filter of the velocity is in steady state.
     """
     above, below = recursion(velocity, period)
     place, speed = start
@@ -85,7 +85,7 @@ def recursion(velocity: Velocity, period: float) -> tuple[list[float], list[floa
     """
     if isinstance(velocity, Measured):
         return [1.0], []
-    if velocity.over:  # a mean of many has no digits left in powers of w
+    if velocity.over:  # in powers of w the coefficients of a long mean lose their digits
         return [1 / velocity.over] * velocity.over, []
     numerator, denominator, late = velocity.ratio(period)
     # V = (1 - 1/z) F, and 1 - 1/z = w/z

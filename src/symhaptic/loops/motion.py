@@ -23,10 +23,10 @@ from symhaptic.loops.plant import Plant, arrays, grown
 Array = NDArray[np.float64]
 
 POWERS = "wall", "outside", "damper", "friction"
-"""What the wall and a force from outside give, and what damper and friction take."""
+"""Powers of the forces of the wall and from outside, and losses of damper and friction."""
 
 _DEGREE = 18
-"""Of the power series of a velocity; up to |A^2| t^2 = 1/4 its rest is below 6e-22."""
+"""Of the power series of a velocity; for |A^2| t^2 <= 1/4 its remainder is below 6e-22."""
 
 
 class Handle(NamedTuple):
@@ -68,7 +68,7 @@ def _symmetric(one: Array, other: Array) -> Array:
 
 
 class Leg(NamedTuple):
-    """What a time of held forces does: z+ = step z, and energies z' work z."""
+    """An interval of held forces: z+ = step z, and the energies z' work z."""
 
     step: Array
     work: Array
@@ -95,14 +95,14 @@ class Motion:
         self.legs = cache(self.leg)
 
     def leg(self, time: float, stuck: bool) -> Leg:
-        """A time of held forces."""
+        """An interval of held forces, in which the motor moves or is stuck."""
         matrix = self.stuck if stuck else self.free
         return Leg(np.eye(len(matrix)) + grown(matrix * time)[0], self._work(matrix, time))
 
     def _work(self, matrix: Array, time: float) -> Array:
         """The integrals of exp(A t)' Q exp(A t) for each power Q.
 
-        A short time's series of Lyapunov's operator, doubled.
+        The power series of Lyapunov's operator for a short time, doubled.
         """
         size = np.abs(matrix).sum(axis=-1).max() * time
         halvings = max(0, int(np.ceil(np.log2(size))) + 2) if size > 0 else 0
@@ -118,7 +118,7 @@ class Motion:
 
     @property
     def longest(self) -> float:
-        """A time after which the power series of the velocity still have all their digits."""
+        """The longest interval for which the power series are exact to rounding error."""
         states = (A[:-3, :-3] for A in (self.free, self.stuck))
         size = max(np.abs(A @ A).sum(axis=-1).max() for A in states)
         return float(0.5 / np.sqrt(size)) if size > 0 else np.inf
@@ -143,9 +143,10 @@ class Friction:
         return np.asarray(_TO_BERNSTEIN @ (self.series[kind] * time ** _POWERS[:, None]))
 
     def advance(self, z: Array, time: float) -> tuple[Array, bool, Array | None, Array]:
-        """A time of held forces: z at its start and end, and what happens in between.
+        """Move through an interval of held forces.
 
-        Where the motor keeps its way, that is whether it is stuck; else the energies are added up.
+        Returns z at its start, whether the motor is stuck there, the energies if the motor stops or
+        breaks away within the interval, else nothing, and z at its end.
         """
         start, stuck = z, self._begin(z, 0.0)
         at, ahead = self._event(z, self.on_legs, time, stuck)
@@ -166,9 +167,9 @@ class Friction:
             at, ahead = self._event(z, self.on_leg, left, stuck)
 
     def _begin(self, z: Array, ahead: float) -> bool:
-        """Give z the friction of its motion; whether it holds the motor.
+        """Set the friction in z, and return whether it holds the motor.
 
-        ``ahead`` is the sense in which the motor breaks away, or 0.
+        ``ahead`` is the direction in which the motor breaks away, or 0.
         """
         sense = float(z[1]) or ahead
         if not sense:
@@ -182,7 +183,7 @@ class Friction:
     def _event(
         self, z: Array, on: Callable[[str, float], Array], left: float, stuck: bool
     ) -> tuple[float, float]:
-        """When the motor stops or breaks away, at most ``left``, and then in which sense."""
+        """The time until the motor stops or breaks away, at most ``left``, and its direction."""
         if not stuck:
             return _first_root(on(_SLIDING if z[1] else _STARTING, left) @ z, left), 0.0
         pull, most = on(_STUCK, left) @ z, self.friction * (1 + _SLACK)
@@ -196,10 +197,10 @@ class Friction:
 _SLIDING, _STARTING, _STUCK = "sliding", "starting", "stuck"
 
 _SLACK = 1e-12
-"""So much more than the friction begins a motion: round-off of equal forces does not."""
+"""Relative excess over the friction at which the motor breaks away: rounding is smaller."""
 
 _SHORTEST = 1e-12
-"""Events are at least so far apart, in sampling periods."""
+"""Least time between two events, in sampling periods."""
 
 
 def _series(matrix: Array, row: Array) -> Array:

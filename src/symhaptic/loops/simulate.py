@@ -1,4 +1,4 @@
-"""The course of a loop: a wall as its controller computes it, a device as it moves.
+"""The motion of a loop over time: the controller computes the wall, and the device moves.
 
 Without units: time in periods, forces in units of m/T^2 times the unit of length.
 """
@@ -9,6 +9,7 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from symhaptic.loops.actuator import Lag
 from symhaptic.loops.controller import Wall, controller
@@ -20,7 +21,7 @@ from symhaptic.loops.system import LinearDevice
 
 
 class Course(NamedTuple):
-    """What a simulation gives, one value for each time."""
+    """The result of a simulation, one value for each time."""
 
     time: Array
     position: Array
@@ -40,10 +41,10 @@ def simulate(
     friction: float,
     between: int,
 ) -> Course:
-    """The course from a start, with a force from outside that is held for each period.
+    """The motion from a start, with a force from outside that is held for each period.
 
-    ``between`` is how many times between two samples are told.  Values beyond the range of floats
-    are NaN, and so are all after them.
+    ``between`` is the number of additional times between two samples.  Values beyond the range of
+    floats are NaN, and so are all after them.
     """
     answers = _Answers(engine, wall, start, outside)
     with np.errstate(over="ignore", invalid="ignore"):
@@ -58,18 +59,19 @@ class _Answers:
     def __init__(
         self, engine: Engine, wall: Wall, start: tuple[float, float], outside: Array
     ) -> None:
-        self.periods = len(outside)
+        self.periods, self._plant = len(outside), engine.plant
         self.measured = np.full(self.periods + 1, np.nan)
         self.forces = np.full((self.periods + 1, 3), np.nan)
         self._outside = np.append(outside, outside[-1:]).tolist()
         self._commands = [0.0] * (math.floor(engine.delay) + 1)
         self._sampled = controller(wall, engine.velocity, engine.period, start)
 
-    def at(self, k: int, position: float, velocity: float) -> tuple[float, float, float] | None:
+    def at(self, k: int, state: Array) -> tuple[float, float, float] | None:
         """The forces from sample k on; none beyond the range of floats."""
+        position = float(self._plant.position @ state)
         if not math.isfinite(position):
             return None
-        self.measured[k], command = self._sampled(position, velocity)
+        self.measured[k], command = self._sampled(position, float(self._plant.velocity @ state))
         self._commands.append(command)
         forces = self._commands[k], self._commands[k + 1], self._outside[k]
         self.forces[k] = forces
@@ -83,65 +85,32 @@ def _held(
     lagging = any(isinstance(part, Lag) for part in engine.parts)
     forms = Forms(plant, engine.gamma, engine.delta, handle, lagging)
     outside = [0.0, 1.0] if handle is None else [0.0, 0.0, 0.0, 1 / handle.mass]
-    system = _system(engine)
-    if system is not None:
-        if friction or any(start):
-            name = "coulomb_friction" if friction else "position0 or velocity0"
-            raise ValueError(
-                f"{name}: is not allowed beside dynamics, whose matrices do not say how it enters; "
-                "begin with an external force"
-            )
+    state, system = np.zeros(len(plant.state)), _system(engine)
+    if system is None:
+        state[: len(outside) : 2], state[1 : len(outside) : 2] = start
+    elif friction or any(start):
+        name = "coulomb_friction" if friction else "position0 or velocity0"
+        raise ValueError(
+            f"{name}: is not allowed beside dynamics, whose matrices do not say how it enters; "
+            "begin with an external force"
+        )
+    else:
         outside = [*system.force]
     motion = Motion(plant, forms, np.array(outside))
-    fraction, told = engine.delay % 1, {n / (between + 1) for n in range(between + 1)}
     longest = motion.longest if friction else math.inf
     if longest * _MOST < 1:
         raise ValueError(
             f"coulomb_friction: a period of {1 / longest:.3g} pieces is not allowed; "
             "leave out coulomb_friction, or the actuator or structure that is so fast"
         )
-    legs = cuts({fraction, *told}, longest)
-    state, moving = np.zeros(len(plant.state)), len(outside)
-    if system is None:
-        state[:moving:2], state[1:moving:2] = start
-    stuck = np.zeros(periods * len(legs), dtype=bool)
-    eventful: dict[int, Array] = {}
+    reported = {n / (between + 1) for n in range(between + 1)}
+    period = _Period(motion, engine.delay % 1, cuts({engine.delay % 1, *reported}, longest))
     if friction:
-        moved = Friction(motion, friction)
-        rows = np.full((periods * len(legs) + 1, len(motion.free)), np.nan)
-        for k in range(periods + 1):
-            forces = answers.at(k, float(plant.position @ state), float(plant.velocity @ state))
-            if forces is None:
-                break
-            z = np.array([*state, *forces[1:], 0.0])
-            for row, (at, time) in enumerate(legs, k * len(legs)):
-                z[-3] = forces[at >= fraction]
-                if row == len(stuck):
-                    rows[row] = z
-                    break
-                rows[row], stuck[row], work, z = moved.advance(z, time)
-                if work is not None:
-                    eventful[row] = work
-            state = z[:-3]
+        rows, works = _with_friction(period, answers, state, Friction(motion, friction))
     else:
-        step, samples = _whole(motion, legs, fraction), np.full((periods + 1, len(state)), np.nan)
-        for k in range(periods + 1):
-            samples[k] = state
-            forces = answers.at(k, float(plant.position @ state), float(plant.velocity @ state))
-            if forces is None:
-                break
-            state = step @ [*state, *forces]
-        rows = _between(motion, legs, fraction, samples, answers.forces)
-    works = np.zeros((len(rows), len(POWERS)))
-    for j, (_, time) in enumerate(legs):
-        for kind in {*stuck[j :: len(legs)].tolist()}:
-            chosen = np.flatnonzero(stuck[j :: len(legs)] == kind) * len(legs) + j
-            for n, form in enumerate(motion.legs(time, kind).work):
-                works[chosen + 1, n] = _form(form, rows[chosen])
-    for row, work in eventful.items():
-        works[row + 1] = work
-    is_told = np.append(np.tile([at in told for at, _ in legs], periods), True)
-    rows, works = rows[is_told], np.cumsum(works, axis=0)[is_told]
+        rows, works = _without_friction(period, answers, state)
+    is_reported = np.append(np.tile([at in reported for at, _ in period.legs], periods), True)
+    rows, works = rows[is_reported], np.cumsum(works, axis=0)[is_reported]
     energy = _form(forms.energy, rows)
     if system is not None:
         energy, works = np.full_like(energy, np.nan), np.full_like(works, np.nan)
@@ -160,33 +129,88 @@ _MOST = 10_000
 """Pieces of a period: with more, a second takes hours."""
 
 
+class _Period(NamedTuple):
+    """A sampling period, cut into legs: their starts and lengths."""
+
+    motion: Motion
+    fraction: float
+    """When the command of this period arrives."""
+    legs: list[tuple[float, float]]
+
+    def works(self, rows: Array, stuck: NDArray[np.bool_]) -> Array:
+        """The energies of each leg, from z at its start; the first row is 0."""
+        found, count = np.zeros((len(rows), len(POWERS))), len(self.legs)
+        for j, (_, time) in enumerate(self.legs):
+            for kind in {*stuck[j::count].tolist()}:
+                chosen = np.flatnonzero(stuck[j::count] == kind) * count + j
+                for n, form in enumerate(self.motion.legs(time, kind).work):
+                    found[chosen + 1, n] = _form(form, rows[chosen])
+        return found
+
+    def step(self) -> Array:
+        """The state after the period, as a matrix times the state and the forces before it."""
+        size = len(self.motion.free) - 3
+        state, forces = np.split(np.eye(size + 3), [size])
+        for at, time in self.legs:
+            z = np.vstack([state, forces[int(at >= self.fraction)], forces[2], 0 * forces[2]])
+            state = (self.motion.legs(time, False).step @ z)[:size]
+        return state
+
+    def rows(self, samples: Array, forces: Array) -> Array:
+        """z at the start of each leg of each period, up to the last sample."""
+        found = []
+        z = np.column_stack([samples, forces[:, 1:], np.zeros(len(samples))])
+        for at, time in self.legs:
+            z[:, -3] = forces[:, int(at >= self.fraction)]
+            found.append(z)
+            z = z @ self.motion.legs(time, False).step.T
+        every = np.stack(found, axis=1).reshape(-1, z.shape[1])
+        return every[: len(every) - len(self.legs) + 1]
+
+
+def _without_friction(period: _Period, answers: _Answers, state: Array) -> tuple[Array, Array]:
+    """z at the start of each leg, and what the energies change in it."""
+    step, samples = period.step(), np.full((answers.periods + 1, len(state)), np.nan)
+    for k in range(answers.periods + 1):
+        samples[k] = state
+        forces = answers.at(k, state)
+        if forces is None:
+            break
+        state = step @ [*state, *forces]
+    rows = period.rows(samples, answers.forces)
+    return rows, period.works(rows, np.zeros(len(rows) - 1, dtype=bool))
+
+
+def _with_friction(
+    period: _Period, answers: _Answers, state: Array, friction: Friction
+) -> tuple[Array, Array]:
+    """The same where the motor sticks and slips."""
+    count = answers.periods * len(period.legs)
+    rows, stuck = np.full((count + 1, len(state) + 3), np.nan), np.zeros(count, dtype=bool)
+    eventful: dict[int, Array] = {}
+    for k in range(answers.periods + 1):
+        forces = answers.at(k, state)
+        if forces is None:
+            break
+        z = np.array([*state, *forces[1:], 0.0])
+        for row, (at, time) in enumerate(period.legs, k * len(period.legs)):
+            z[-3] = forces[at >= period.fraction]
+            if row == count:
+                rows[row] = z
+                break
+            rows[row], stuck[row], work, z = friction.advance(z, time)
+            if work is not None:
+                eventful[row + 1] = work
+        state = z[:-3]
+    works = period.works(rows, stuck)
+    for row, work in eventful.items():
+        works[row] = work
+    return rows, works
+
+
 def _form(form: Array, rows: Array) -> Array:
     """z' form z of each row."""
     return np.asarray(((rows @ form) * rows).sum(axis=1))
-
-
-def _whole(motion: Motion, legs: list[tuple[float, float]], fraction: float) -> Array:
-    """The state after a period, as a matrix times the state and the forces before it."""
-    size = len(motion.free) - 3
-    state, forces = np.split(np.eye(size + 3), [size])
-    for at, time in legs:
-        z = np.vstack([state, forces[int(at >= fraction)], forces[2], 0 * forces[2]])
-        state = (motion.legs(time, False).step @ z)[:size]
-    return state
-
-
-def _between(
-    motion: Motion, legs: list[tuple[float, float]], fraction: float, samples: Array, forces: Array
-) -> Array:
-    """z at the start of each leg of each period, up to the last sample."""
-    found = []
-    z = np.column_stack([samples, forces[:, 1:], np.zeros(len(samples))])
-    for at, time in legs:
-        z[:, -3] = forces[:, int(at >= fraction)]
-        found.append(z)
-        z = z @ motion.legs(time, False).step.T
-    every = np.stack(found, axis=1).reshape(-1, z.shape[1])
-    return every[: len(every) - len(legs) + 1]
 
 
 def _system(engine: Engine) -> Plant | None:
@@ -216,7 +240,7 @@ def _stepped(
     state = np.array(start)
     for k in range(periods + 1):
         states[k] = state
-        forces = answers.at(k, *state.tolist())
+        forces = answers.at(k, state)
         if forces is None:
             break
         state = state + step @ state + accelerates * (forces[1] + forces[2])
