@@ -21,6 +21,10 @@ PREFIX = "reference:"
 
 GROUPS = {
     "A device in SI units": ("Scene",),
+    "Parts of a loop": (
+        *("LowPass", "Average", "Window", "Filter", "Measured", "Difference"),
+        *("Lag", "SecondMass", "LinearDevice", "Encoder"),
+    ),
     "Stable walls": (
         *("is_stable", "max_stable_stiffness", "limit_at", "delay_margin", "max_delay"),
         *(
