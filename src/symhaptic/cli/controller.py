@@ -25,7 +25,7 @@ def controller(
     The files are wall.h, wall.c and test_wall.c, a self-test.  An unstable wall is refused.
     """
     from symhaptic.export import request
-    from symhaptic.export.printing import Refused
+    from symhaptic.export.language import Refused
     from symhaptic.scene.controller import files
     from symhaptic.scene.device_file import BadDevice, read
 
