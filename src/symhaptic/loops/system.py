@@ -100,6 +100,11 @@ class LinearDevice:
             )
         return cls(A, B, C)
 
+    @property
+    def jumps(self) -> bool:
+        """Whether a force changes the velocity at once, as it does without a mass."""
+        return bool(np.dot(self.C, self.B))
+
     def before(self, plant: Plant, mass: float, period: float) -> Plant:
         """This device instead of the moving mass, in units of ``mass`` and ``period``."""
         A, B, C = (np.array(each) for each in (self.A, self.B, self.C))

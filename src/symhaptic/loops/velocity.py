@@ -200,13 +200,15 @@ class LowPass(Velocity):
     def ratio(self, period: float) -> Ratio:
         """V(z) for a sampling period in s."""
         tau = self.tau(period)
+        if tau == 0:  # where Tustin's rule has a common root at z = -1 above and below
+            return DIFFERENCE
         if self.order == 2:
             make = bilinear_second_order if self.mapping == "Tustin" else backward_second_order
             filtered = make(tau, self.damping_ratio)
         elif self.mapping == "Tustin":
             filtered = bilinear(tau)
         else:  # the filter's z cancels the z of the difference
-            new = -math.expm1(-1 / tau) if self.mapping == "exact pole" and tau else 1 / (1 + tau)
+            new = -math.expm1(-1 / tau) if self.mapping == "exact pole" else 1 / (1 + tau)
             return Ratio((0, new), (new, 1))
         if self.mapping == "backward Euler":  # z^2 over z: one z is left
             return Ratio((0, 1, 1), filtered.denominator)

@@ -19,7 +19,7 @@ from symhaptic.loops.engine import STEPS, Engine
 from symhaptic.loops.sensor import Encoder
 from symhaptic.loops.structure import SecondMass
 from symhaptic.loops.system import LinearDevice
-from symhaptic.loops.velocity import Difference, Velocity
+from symhaptic.loops.velocity import Difference, Measured, Velocity
 from symhaptic.model.parts import Parts
 from symhaptic.notation.quantities import decimal, nearest, number, shown
 from symhaptic.notation.sizes import LARGEST, LONGEST, STIFFEST
@@ -130,6 +130,11 @@ class DeviceLoop:
             object.__setattr__(self, "structure", self.structure.fitting(self.rotary))
         if self.encoder is not None:
             object.__setattr__(self, "encoder", self.encoder.fitting(self.unit("m")))
+        if self.dynamics is not None and self.dynamics.jumps and self.velocity == Measured():
+            raise ValueError(
+                f"velocity: {self.velocity!r} is not allowed for dynamics whose velocity follows "
+                "the force at once; give a difference"
+            )
         if self.integrator not in STEPS:
             allowed = ", ".join(map(repr, STEPS))
             raise ValueError(f"integrator: {shown(self.integrator)} is not allowed; give {allowed}")
