@@ -9,11 +9,14 @@ import time
 from pathlib import Path
 from xml.etree import ElementTree
 
+import chapters
 import pytest
 from command import symhaptic
 
 from symhaptic.book.chapters import expected_ledger
 from symhaptic.book.listing import replace
+from symhaptic.book.parts import numbers
+from symhaptic.book.report.printed import chapter_tex
 from symhaptic.cli.main import main
 from symhaptic.paper import STATEMENTS
 
@@ -367,10 +370,9 @@ def test_one_chapter_alone(tmp_path):
     assert run.returncode == 0, run.stderr
     names = {path.name for path in tmp_path.iterdir()}
     assert names == {"book.tex", "s3c_stiffness_maximum.tex", "symhaptic.sty"}
-    committed = ROOT / "reports" / "s3c_stiffness_maximum.tex"
-    if committed.is_file():  # the same as in the book
-        written = (tmp_path / "s3c_stiffness_maximum.tex").read_text(encoding="utf-8")
-        assert written == committed.read_text(encoding="utf-8")
+    written = (tmp_path / "s3c_stiffness_maximum.tex").read_text(encoding="utf-8")
+    name = "s3c_stiffness_maximum"  # the same as in the book
+    assert written.endswith(chapter_tex(chapters.chapter(name), numbers()[name]))
     check = ("report", "--chapter", "s3c_stiffness_maximum", "--check", "-o", tmp_path)
     assert symhaptic(*check).returncode == 0
     (tmp_path / "symhaptic.sty").unlink()

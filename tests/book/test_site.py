@@ -399,7 +399,7 @@ def test_the_errata_are_filtered(whole, opened):
     opened.goto((whole / "errata.html").as_uri())
     opened.get_by_label("Verdict").select_option("misprint")
     opened.get_by_label("Find").fill("eq12")
-    opened.locator("table.ledger tbody tr:not([hidden]) a").click()
+    opened.locator("table.ledger tbody tr:not([hidden]) a").first.click()
     assert opened.url.endswith("errata.html#erratum-eq12")
 
 

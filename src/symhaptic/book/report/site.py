@@ -42,6 +42,9 @@ OWN_PAGES = {
 }
 """Pages that are no chapters."""
 
+_WITHOUT_LIST = ("errata", "explorer", "results")
+"""Pages without a list of their sections, which leaves more room for formulas."""
+
 EXTRA = "extra"
 """Where the sources have what Sphinx takes over as it is."""
 
@@ -134,7 +137,7 @@ def _texts(numbered: Sequence[Numbered], known: Mapping[str, nodes.section]) -> 
     """Name and text of each page for Sphinx: guides, and where trees stand."""
     whole = "ledger" in known
     found = {
-        name: f"{':hide-toc:' * ('number' in tree or name == 'explorer')}\n\n.. tree:: {name}\n"
+        name: f"{':hide-toc:' * ('number' in tree or name in _WITHOUT_LIST)}\n\n.. tree:: {name}\n"
         for name, tree in known.items()
         if not name.startswith(reference.PREFIX)
     }
