@@ -2,6 +2,6 @@
 
 ``quantities`` says what is swept, and in which units; a ``plan`` cuts it into blocks that know
 nothing of each other; ``work`` hands these out, ``stores`` keep what is finished, ``charts`` are
-drawn with ``drawing``.  Imports ``numeric``, ``scene`` and of ``notation`` and ``book`` nothing symbolic; used by
-users.
+drawn with ``drawing``.  Imports ``numeric``, ``scene`` and of ``notation`` and ``book`` nothing
+symbolic; used by users.
 """
