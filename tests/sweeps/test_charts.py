@@ -60,6 +60,13 @@ def test_a_range_of_ones_own():
     assert figure.axes[0].get_title(loc="left") == "$k$ = 0 to 2000 N/m, $b$ = 1 to 3 Ns/m"
 
 
+def test_the_axes_without_stiffness_and_without_damping_are_drawn():
+    lines = charts.robust_limits(SCENE, points=20).axes[0].lines
+    drawn = [(list(line.get_xdata()), list(line.get_ydata())) for line in lines]
+    assert drawn == [([0, 1], [0, 0]), ([0, 0], [0, 1])]  # across and up, in parts of the axes
+    assert {(line.get_color(), line.get_linewidth()) for line in lines} == {("black", 0.5)}
+
+
 def test_without_ranges_the_axes_are_those_that_are_documented():
     """Four periods and twice the damping; all walls that are stable, from no stiffness on."""
     axes = charts.stiffest(dataclasses.replace(SCENE, damping=4.0), points=5).axes[0]
@@ -103,13 +110,6 @@ def test_where_no_wall_is_stable_a_picture_says_so():
     figure = charts.delay_margin(SCENE, K=(1e6, 1e7), points=10)
     (axes,) = figure.axes
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["not stable"]
-
-
-def test_the_axes_without_stiffness_and_without_damping_are_drawn():
-    lines = charts.robust_limits(SCENE, points=20).axes[0].lines
-    drawn = [(list(line.get_xdata()), list(line.get_ydata())) for line in lines]
-    assert drawn == [([0, 1], [0, 0]), ([0, 0], [0, 1])]  # across and up, in parts of the axes
-    assert {(line.get_color(), line.get_linewidth()) for line in lines} == {("black", 0.5)}
 
 
 def test_charts_of_a_rotary_device_have_its_units():

@@ -19,12 +19,11 @@ from symhaptic.scene.dimensionless import units
 from symhaptic.scene.loop import together
 from symhaptic.scene.picture import BELOW, EDGE, PASSIVE, STABLE, UNSTABLE
 from symhaptic.sweeps.axes import scene_or_none
+from symhaptic.sweeps.drawing import figure_and_axes, filled, in_ms, labelled, plain, said
 from symhaptic.sweeps.quantities import IN_SI, INPUTS, in_si
 from symhaptic.sweeps.sweep import sweep
 
 if TYPE_CHECKING:
-    import xarray
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
@@ -72,7 +71,7 @@ def robust_limits(
     found = sweep(
         "is_stable", scene, over=names[2:], reduce=("all", "any"), **walls, **arms, **late
     )
-    figure, axes = _figure_and_axes()
+    figure, axes = figure_and_axes()
     x, y = found[names[1]], found[names[0]]
     count = len(arms[names[2]]) * len(arms[names[3]])
     shown = (
@@ -86,7 +85,7 @@ def robust_limits(
         axes.fill([], [], color=colour, label=label)
     axes.axhline(0, color="black", lw=0.5)
     axes.axvline(0, color="black", lw=0.5)
-    _labelled(axes, x, y)
+    labelled(axes, x, y)
     axes.set_title(_range(scene, arms), fontsize=9, loc="left")
     axes.legend(**BELOW, ncols=2)
     return figure
@@ -121,10 +120,10 @@ def stiffest(
     found = sweep("max_stable_stiffness", scene, **lines, **fixed)
     x, y = (found[n] for n in lines)
     values = found[name].transpose(*reversed(lines))
-    figure, axes = _figure_and_axes()
-    across = _in_ms(x)
-    _filled(figure, axes, across, y, values, _said(found[name]))
-    _labelled(axes, across, y)
+    figure, axes = figure_and_axes()
+    across = in_ms(x)
+    filled(figure, axes, across, y, values, said(found[name]))
+    labelled(axes, across, y)
     return figure
 
 
@@ -156,9 +155,9 @@ def delay_margin(
     walls: dict[str, Any] = dict(zip(names, lines, strict=True))
     found = sweep("delay_margin", scene, **walls, **fixed)
     x, y = found[names[1]], found[names[0]]
-    margin = _in_ms(found.delay_margin)
-    figure, axes = _figure_and_axes()
-    _filled(figure, axes, x, y, margin, _said(margin))
+    margin = in_ms(found.delay_margin)
+    figure, axes = figure_and_axes()
+    filled(figure, axes, x, y, margin, said(margin))
     lost = (margin == 0).astype(float)
     axes.contourf(x, y, lost, levels=[0.5, 1.5], colors=["#dddddd"])
     axes.fill([], [], color="#dddddd", label="not stable")
@@ -166,7 +165,7 @@ def delay_margin(
     if bool(ever.any()):
         axes.contourf(x, y, ever, levels=[0.5, 1.5], colors=[PASSIVE])
         axes.fill([], [], color=PASSIVE, label="stable with any delay")
-    _labelled(axes, x, y)
+    labelled(axes, x, y)
     axes.legend(**BELOW, ncols=2)
     return figure
 
@@ -195,8 +194,8 @@ def model_costs(
     late = np.asarray(delays if delays is not None else period * np.linspace(0, 8, 33))
     name = "alpha" if scene is None else "K"
     full = sweep("max_stable_stiffness", scene, **arms, delay=late)
-    figure, axes = _figure_and_axes()
-    across = _in_ms(full.delay)
+    figure, axes = figure_and_axes()
+    across = in_ms(full.delay)
     parts = (
         ("without spring", names[:1], EDGE, "-"),
         ("without damper", names[1:], PASSIVE, "-"),
@@ -208,10 +207,10 @@ def model_costs(
         error = 100 * abs(less[name] / full[name] - 1).max(names)
         axes.plot(across, error, color=colour, linestyle=line, label=says)
     axes.set(yscale="log")
-    axes.yaxis.set_major_formatter(_plain)
+    axes.yaxis.set_major_formatter(plain)
     axes.yaxis.set_minor_formatter(LogFormatter())  # a narrow range, and without powers of ten
     axes.set(xlim=(float(across.min()), float(across.max())))
-    axes.set(xlabel=_said(across), ylabel="largest error of the stiffest wall in %")
+    axes.set(xlabel=said(across), ylabel="largest error of the stiffest wall in %")
     axes.set_title(_range(scene, arms), fontsize=9, loc="left")
     axes.legend(**BELOW, ncols=3)
     return figure
@@ -268,83 +267,3 @@ def _range(scene: Scene | None, arms: dict[str, Any]) -> str:
         ends = f"{values[0]:g} to {values[-1]:g}" if values.size > 1 else f"{values[0]:g}"
         parts.append(f"${meaning.latex}$ = {ends}{unit}")
     return ", ".join(parts)
-
-
-# -- how a chart is drawn: axes with units, and values as colours between round numbers
-
-
-def _figure_and_axes() -> tuple[Figure, Axes]:
-    """A new figure, which needs no screen, and its axes."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure as New
-
-    figure = New(figsize=(6.4, 4.4), layout="constrained")
-    FigureCanvasAgg(figure)
-    axes = figure.subplots()
-    axes.spines[["top", "right"]].set_visible(False)
-    return figure, axes
-
-
-def _said(values: xarray.DataArray) -> str:
-    """What it is, its symbol, and its unit."""
-    about = values.attrs
-    what = about["long_name"].split(",")[0]
-    symbol = f" ${about['symbol']}$" if "symbol" in about else ""
-    return f"{what}{symbol}" + (f" in {about['units']}" if about["units"] != "1" else "")
-
-
-def _labelled(axes: Axes, x: xarray.DataArray, y: xarray.DataArray) -> None:
-    """Say on the axes what x and y are, and let them end where these do."""
-    axes.set(xlabel=_said(x), ylabel=_said(y))
-    axes.set(xlim=(float(x.min()), float(x.max())), ylim=(float(y.min()), float(y.max())))
-
-
-def _in_ms(values: xarray.DataArray) -> xarray.DataArray:
-    """Seconds as milliseconds; anything else as it is."""
-    if values.attrs.get("units") != "s":
-        return values
-    return (1000 * values).assign_attrs({**values.attrs, "units": "ms"})
-
-
-def _plain(value: float, _: object = None) -> str:
-    """A number without powers of ten."""
-    return f"{value:g}"
-
-
-def _round_levels(values: NDArray[Any]) -> NDArray[Any]:
-    """Round numbers over the range but for the least of it, closer where it is narrow."""
-    finite = values[np.isfinite(values) & (values > 0)]
-    low, high = (float(np.quantile(finite, q)) for q in (0.02, 1.0))
-    powers = np.arange(np.floor(np.log10(low)) - 1, np.ceil(np.log10(high)) + 1)
-    steps = (1, 2, 5) if high > 30 * low else (1, 1.5, 2, 3, 5, 7)
-    every = np.unique(np.concatenate([m * 10.0**powers for m in steps]))
-    first, last = np.searchsorted(every, [low, high])
-    return np.asarray(every[max(first - 1, 0) : last + 1])
-
-
-def _filled(
-    figure: Figure,
-    axes: Axes,
-    x: xarray.DataArray,
-    y: xarray.DataArray,
-    values: xarray.DataArray,
-    label: str,
-) -> None:
-    """Values as colours on a logarithmic scale, with lines at round numbers.
-
-    What is below or beyond all of these is drawn as the least and the largest; nothing where all
-    is infinite or nothing.
-    """
-    from matplotlib.colors import LogNorm
-
-    if not bool((np.isfinite(values) & (values > 0)).any()):
-        return
-    levels = _round_levels(values.to_numpy())
-    inside = values.clip(levels[0] * 1.0001, levels[-1] * 0.9999)
-    norm = LogNorm(levels[0], levels[-1])
-    areas = axes.contourf(x, y, inside, levels=levels, norm=norm, cmap="viridis")
-    axes.contour(x, y, inside, levels=levels[1:-1], colors="white", linewidths=0.5)
-    bar = figure.colorbar(areas, ax=axes, ticks=levels)
-    bar.ax.yaxis.set_major_formatter(_plain)
-    bar.ax.minorticks_off()
-    bar.set_label(label)

@@ -215,9 +215,18 @@ class Work:
             given = [p for p in _PARTS.get(name, ()) if p in arrays]
             raise ValueError(f"{given[0]}: {name} ={said}" if given else str(wrong)) from None
         unit_K, unit_B = units(mass, period)
-        scale = {"N/m": unit_K, "Ns/m": unit_B, "Hz": 1 / (2 * math.pi * period), "s": period}
-        pairs = zip(found, (result.meaning.unit for result in self.results), strict=True)
-        return tuple(value * scale[unit] if unit in scale else value for value, unit in pairs)
+        scale = {
+            "K": unit_K,
+            "B": unit_B,
+            "frequency_hz": 1 / (2 * math.pi * period),
+            "passivity_margin": unit_B,
+            "delay_margin": period,
+            "max_delay": period,
+        }
+        return tuple(
+            value * scale[result.name] if result.name in scale else value
+            for result, value in zip(self.results, found, strict=True)
+        )
 
     @property
     def own_arguments(self) -> tuple[str, ...]:
@@ -250,8 +259,11 @@ def _scaled(name: str, si: Mapping[str, Any]) -> Any:
         return np.asarray(late, dtype=np.float64)
     (part,) = _PARTS[name]
     stiff, damped = per_unit(mass, period)
-    scales = {"N/m": stiff, "Ns/m": damped, "Hz": 2 * math.pi * period}
-    return np.asarray(si[part] * scales[IN_SI[part].unit])
+    scales = {
+        "K": stiff, "stiffness": stiff, "B": damped, "damping": damped,
+        "frequency_hz": 2 * math.pi * period,
+    }  # fmt: skip
+    return np.asarray(si[part] * scales[part])
 
 
 def _in_periods(late: float, period: float) -> float:
