@@ -62,7 +62,7 @@ def test_what_does_not_go_together_is_refused_on_one_line(old, new, told, tmp_pa
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize("table", [table for table in SCHEMA if table])
+@pytest.mark.parametrize("table", ["arm", "arms", "wall", "encoder"])
 def test_numbers_without_a_unit_are_in_si_units(table, tmp_path):
     keys = [key for key in SCHEMA[table] if key not in ("inertia", "with_device")]
     keys = [key for key in keys if not key.endswith("_per_mass")]

@@ -85,8 +85,8 @@ def recursion(velocity: Velocity, period: float) -> tuple[list[float], list[floa
     """
     if isinstance(velocity, Measured):
         return [1.0], []
-    if velocity.samples:  # in powers of w the coefficients of a long mean lose their digits
-        return [1 / velocity.samples] * velocity.samples, []
+    if velocity.over:  # in powers of w the coefficients of a long mean lose their digits
+        return [1 / velocity.over] * velocity.over, []
     numerator, denominator, late = velocity.ratio(period)
     # V = (1 - 1/z) F, and 1 - 1/z = w/z
     above, below = (_in_z(q)[::-1] for q in (numerator[1:], denominator))

@@ -60,7 +60,7 @@ def closed(
 
     ``virtual_mass`` is M/m of a wall that adds M (1 - 1/z)^2/T^2 to its force.
     """
-    long = velocity.samples > _SHORT
+    long = velocity.over > _SHORT
     z: Polynomial = (0, 1) if long else (1, 1)
     w: Polynomial = (-1, 1) if long else (0, 1)
 
@@ -86,7 +86,7 @@ def closed(
     if isinstance(velocity, Measured):
         Y = seen(sampled.velocity)
     elif long:
-        n, late = velocity.samples, velocity.samples
+        n, late = velocity.over, velocity.over
         Y = scaled(1 / n, product(place, (-1, *[0] * (n - 1), 1)))
     else:
         above, below, n = velocity.ratio(period)

@@ -71,8 +71,10 @@ def average(samples: int) -> Ratio:
 class Velocity:
     """What a wall takes for the velocity; the base of the parts in this file."""
 
-    samples: int = 0
-    """Of a difference over many samples, how many."""
+    @property
+    def over(self) -> int:
+        """Of a difference over many samples, how many; 0 of others."""
+        return 0
 
     def ratio(self, period: float) -> Ratio:
         """V(z) for a sampling period in s."""
@@ -244,6 +246,11 @@ class Window(Velocity):
 
     def __post_init__(self) -> None:
         _count("samples", self.samples)
+
+    @property
+    def over(self) -> int:
+        """How many samples."""
+        return self.samples
 
     def ratio(self, period: float) -> Ratio:
         """V(z) for a sampling period in s."""
