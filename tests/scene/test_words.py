@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from symhaptic import Arm, Scene
+from symhaptic import Arm, Encoder, Lag, LowPass, Measured, Scene
 
 SCENE = {"mass": 0.1, "damping": 2.0, "stiffness": 50.0, "sampling_period": 1e-3, "delay": 1.5e-3}
 
@@ -120,3 +120,33 @@ def test_a_picture_has_units_and_a_legend_beside_the_curves(axes, wall):
 def test_half_a_wall_is_refused():
     with pytest.raises(ValueError, match=r"K: 3.0 with B=None is not allowed"):
         Scene(**SCENE).plot(K=3.0)
+
+
+def test_the_limit_with_an_encoder_knows_the_delay_and_no_filter():
+    """Without virtual damping the filter of the velocity does not matter."""
+    own = {"mass": 0.04, "damping": 0.8, "sampling_period": 1e-3, "coulomb_friction": 0.1}
+    for periods, velocity in ((0, None), (1.5, Measured()), (3, LowPass(cutoff=50))):
+        scene = Scene(**own, delay_samples=periods, encoder=Encoder(resolution=1e-5))
+        passive = scene.max_passive_stiffness(B=0.0)
+        filtered = Scene(
+            **own, delay_samples=periods, velocity=velocity, encoder=Encoder(resolution=1e-5)
+        )
+        for each in (scene, filtered):
+            found = each.max_quantised_stiffness()
+            assert (found, found.B) == (pytest.approx(passive), 0.0)
+            assert "limited by damping; friction would allow 2e+04 N/m" in each.describe()
+        fine = Scene(**own, delay_samples=periods, encoder=Encoder(resolution=1e-3))
+        assert fine.max_quantised_stiffness() == pytest.approx(min(passive, 200.0))
+
+
+def test_the_limit_with_an_encoder_is_not_told_without_one_or_behind_an_actuator():
+    own = {"mass": 0.04, "damping": 0.8, "sampling_period": 1e-3, "coulomb_friction": 0.1}
+    with pytest.raises(ValueError, match="encoder: is left out"):
+        Scene(**own).max_quantised_stiffness()
+    behind = Scene(**own, actuator=Lag(time_constant=1e-3), encoder=Encoder(resolution=1e-5))
+    assert "with encoder" not in behind.describe()
+    with pytest.raises(ValueError, match="acts at once"):
+        behind.max_quantised_stiffness()
+    undamped = Scene(mass=0.04, sampling_period=1e-3, encoder=Encoder(resolution=1e-5))
+    assert undamped.max_quantised_stiffness() == 0
+    assert "with encoder     nothing: without Coulomb friction, the steps" in undamped.describe()

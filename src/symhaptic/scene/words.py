@@ -76,8 +76,6 @@ def facts(scene: DeviceLoop) -> dict[str, str]:
 
 def quantised(scene: DeviceLoop) -> str:
     """Up to which stiffness a wall is passive with the encoder, and what limits it."""
-    if why := why_not_passive(replace(scene, velocity=None)):
-        return f"not known ({why})"
     if not scene.coulomb_friction:
         return "nothing: without Coulomb friction, the steps can sustain an oscillation at any K"
     limits, unit = quantised_limits(scene), scene.printed("N/m")
