@@ -305,3 +305,35 @@ def test_a_result_may_have_the_longest_name_there_is(tmp_path):
     name = 250 * "x" + ".json"
     assert symhaptic("jury", "0", "-o", name, cwd=tmp_path).returncode == 0
     assert [path.name for path in tmp_path.iterdir()] == [name]
+
+
+ONE = "--chapter s2a_device"
+
+
+@pytest.mark.skipif(os.name != "posix", reason="limits a process as a shell does")
+@pytest.mark.parametrize(
+    ("limit", "asked", "said"),
+    [
+        (
+            "ulimit -n 12",
+            "report --chapter s2a_device --standalone --format html -o out",
+            "too many",
+        ),
+        ("ulimit -n 12", "verify eq11", ""),
+        ("ulimit -f 2", f"report {ONE} --format tex -o out", "-o out: cannot write"),
+        ("ulimit -f 2", "export is_stable --target c -o out", "-o out: cannot write"),
+        ("ulimit -f 2", "verify eq11 --format json -o out", "-o out: cannot write"),
+    ],
+)
+def test_where_files_are_few_or_small_it_is_one_line_and_nothing_is_left(
+    limit, asked, said, tmp_path
+):
+    command = f"{limit}; exec {sys.executable} -m symhaptic {asked}"
+    run = subprocess.run(
+        ["bash", "-c", command], cwd=tmp_path, env=os.environ | {"TMPDIR": str(tmp_path)},
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert run.returncode == (2 if said else 0), run.stderr
+    assert not said or run.stderr.startswith(f"symhaptic: error: {said}")
+    assert run.stderr.count("\n") == bool(said)
+    assert list(tmp_path.iterdir()) == []

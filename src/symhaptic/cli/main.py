@@ -26,7 +26,7 @@ from symhaptic.cli import (  # noqa: F401 - each registers its commands
     mutating,
     reporting,
 )
-from symhaptic.cli.shared import Unusable, app, refuse
+from symhaptic.cli.shared import FULL, Unusable, app, refuse
 from symhaptic.notation.suggest import suggested
 
 # Typer carries Click inside or beside itself, depending on its age; this is the base of the
@@ -39,8 +39,8 @@ ParserError: type[Exception] = next(
 _INTERRUPTED = 130
 """The exit status of what a user leaves."""
 
-_FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO}
-"""A place that takes no more."""
+_SCARCE = {errno.EMFILE, errno.ENFILE}
+"""No file or pipe can be opened, whatever its name."""
 
 
 @app.callback(invoke_without_command=True)
@@ -181,10 +181,16 @@ def main() -> None:
         typer.echo("symhaptic: interrupted", err=True)
         raise SystemExit(_INTERRUPTED) from None
     except OSError as wrong:
+        if wrong.errno in _SCARCE:
+            said = (
+                f"{(wrong.strerror or '').lower()}; allow more, for instance with `ulimit -n 256`"
+            )
+            typer.echo(f"symhaptic: error: {said}", err=True)
+            raise SystemExit(2) from None
         if said := unusable(wrong, sys.argv[1:]):
             typer.echo(f"symhaptic: error: {said}", err=True)
             raise SystemExit(2) from None
-        if wrong.errno not in _FULL or wrong.filename is not None:
+        if wrong.errno not in FULL or wrong.filename is not None:
             raise
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what is left is not tried again at the end
         said = f"cannot write the result ({wrong.strerror}); another place is allowed"

@@ -11,7 +11,7 @@ import typer
 
 from symhaptic.cli.foreign import stale
 from symhaptic.cli.given import Derivations, SourceFolder, chapters_in, own_chapters
-from symhaptic.cli.shared import app, folder_allowed, only_listed, progress, refuse
+from symhaptic.cli.shared import app, filling, folder_allowed, only_listed, progress, refuse
 from symhaptic.notation.suggest import suggested
 
 if TYPE_CHECKING:
@@ -141,20 +141,22 @@ def report(
                     )
                     raise typer.Exit(1)
                 return
-            if some and not only_html:
-                printed.write_excerpt(numbered, output, alone, pdf, say)
-            elif not only_html:
-                printed.write(chapters, output, pdf, say, drawings.take)
+            with filling(output):
+                if some and not only_html:
+                    printed.write_excerpt(numbered, output, alone, pdf, say)
+                elif not only_html:
+                    printed.write(chapters, output, pdf, say, drawings.take)
+                if html and not single:
+                    from symhaptic.book.report.site import write as write_site
+
+                    write_site(numbered, output / "site", say, not some, drawings.take)
             if single:
                 from symhaptic.book.report.site import write_single
 
-                made = write_single(numbered, output, say)
+                with filling(output):
+                    made = write_single(numbered, output, say)
                 typer.echo("\n".join(f"wrote {path}" for path in made))
                 return
-            if html:
-                from symhaptic.book.report.site import write as write_site
-
-                write_site(numbered, output / "site", say, not some, drawings.take)
     except place.ReportError as wrong:
         refuse(str(wrong))
     mains = ["book"] if not some else ["chapters"] if alone else [path.stem for path in some]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -18,6 +19,10 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
+
+
+FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO}
+"""A place that takes no more."""
 
 
 class Unusable(ValueError):
@@ -107,6 +112,17 @@ def no_folder(output: Path, reason: str | None, option: str = "-o") -> NoReturn:
     """End with one line that says why no folder of results can be there."""
     where = f"{option} {output}"
     refuse(f"{where}: cannot write there ({reason}); a folder that can be written is allowed")
+
+
+@contextmanager
+def filling(output: Path) -> Iterator[None]:
+    """Name the folder of results where a file in it cannot be written whole."""
+    try:
+        yield
+    except OSError as wrong:
+        if wrong.errno not in FULL:
+            raise
+        no_folder(output, wrong.strerror)
 
 
 def write(replace: Callable[[Path, str | bytes], None], output: Path, content: str | bytes) -> None:
