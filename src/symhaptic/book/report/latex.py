@@ -96,7 +96,9 @@ def _(node: Link) -> str:
         case "rule":
             return f"\\byrule{{{place_of(to, at)}}}{{{_inner(node)}}}"
         case "statement":
-            return f"\\statementlink{{{place_of(to, at)}}}{{{referenced(node.astext())}}}"
+            return f"\\statementlink{{{place_of(to, at)}}}{{{referenced(reference(at))}}}"
+        case "erratum" if node.astext() == at:
+            return referenced(reference(at))
         case "row":
             return f"\\rowplace{{{at}}}"
         case "chapter":

@@ -27,7 +27,6 @@ from symhaptic.book.report.chapter import (
     corrected,
     formula_in_words,
     in_words,
-    reference,
     referred,
     rules,
     shown_by,
@@ -162,7 +161,7 @@ def errata(entries: Sequence[Entry], places: Places) -> nodes.section:
     head = ["statement", "read as", "verdict", "what is right", "where"]
     rows: list[list[Part]] = [
         [
-            led("erratum", e.statement.id, reference(e.statement.id)),
+            led("erratum", e.statement.id, e.statement.id),
             words(e.statement.says),
             kind(e.verdict.kind),
             _in_short(e),
@@ -241,7 +240,7 @@ def ledger(entries: Sequence[Entry], places: Places) -> nodes.section:
         id = entry.statement.id
         rows.append(
             [
-                referred(id) if entry.verdict != UNSETTLED else reference(id),
+                led("statement", id, id) if entry.verdict != UNSETTLED else id,
                 words(entry.statement.says),
                 kind(entry.verdict.kind),
                 entry.rocq.extent if foreign.asked() else "",
