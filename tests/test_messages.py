@@ -63,8 +63,8 @@ COMMANDS = {
     for name, command in typer.main.get_command(app).commands.items()
 }
 FILES = {
-    "report": [*(SOURCE / "book" / "tex").glob("*.py"), SOURCE / "cli" / "reporting.py"],
-    "export": [SOURCE / "export" / "request.py", SOURCE / "export" / "target.py"],
+    "report": [*(SOURCE / "book" / "report").glob("*.py"), SOURCE / "cli" / "reporting.py"],
+    "export": [SOURCE / "export" / "request.py", SOURCE / "export" / "language.py"],
 }
 """Where messages of a command are, outside of its own function."""
 
