@@ -63,7 +63,10 @@ COMMANDS = {
     for name, command in typer.main.get_command(app).commands.items()
 }
 FILES = {
-    "report": [*(SOURCE / "book" / "report").glob("*.py"), SOURCE / "cli" / "reporting.py"],
+    "report": [
+        *(SOURCE / "book" / "report" / f"{name}.py" for name in ("place", "printed", "site")),
+        SOURCE / "cli" / "reporting.py",
+    ],
     "export": [SOURCE / "export" / "request.py", SOURCE / "export" / "language.py"],
 }
 """Where messages of a command are, outside of its own function."""
