@@ -64,7 +64,7 @@ COMMANDS = {
 }
 FILES = {
     "report": [
-        *(SOURCE / "book" / "report" / f"{name}.py" for name in ("place", "printed", "site")),
+        *(SOURCE / "book" / "report" / f"{name}.py" for name in ("place", "printed")),
         SOURCE / "cli" / "reporting.py",
     ],
     "export": [SOURCE / "export" / "request.py", SOURCE / "export" / "language.py"],
