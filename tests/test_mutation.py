@@ -38,8 +38,9 @@ def accepted(name, id):
 CHAPTERS = [
     pytest.param("s3_energy", marks=pytest.mark.slow),
     pytest.param("s3c_stiffness_maximum", marks=pytest.mark.slow),
-    "s4b_normalisation",  # definitions
-    "s4c_arm_limits",  # data from outside
+    pytest.param("s4b_normalisation", marks=pytest.mark.slow),
+    pytest.param("s4c_arm_limits", marks=pytest.mark.slow),
+    "s2b_wall",  # a definition
     "s4d_parts_of_the_arm",
     "s8c_four_masses",
 ]
@@ -51,6 +52,13 @@ def test_a_judge_that_accepts_everything_is_caught(monkeypatch, name):
     for check in (Decided, Rejudged, Derived):
         monkeypatch.setattr(check, "holds", lambda self: True)
     assert trials.trial(chapter(name)).accepted
+
+
+def test_a_judge_that_accepts_all_data_from_outside_is_caught(monkeypatch):
+    assert accepted("s4c_arm_limits", "eq22") == set()
+    monkeypatch.setattr(Decided, "holds", lambda self: True)
+    monkeypatch.setattr(Rejudged, "holds", lambda self: True)
+    assert accepted("s4c_arm_limits", "eq22")
 
 
 @pytest.mark.parametrize(
