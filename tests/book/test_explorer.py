@@ -30,7 +30,7 @@ from symhaptic.notation.quantities import decimal, nearest
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness, stiffest_at
 from symhaptic.numeric.tracing.margin import delay_margin, max_delay
 from symhaptic.paper.tables import TABLE_II
-from symhaptic.rules import STATEMENTS as RULES
+from symhaptic.rules import PLAIN as RULES
 from symhaptic.scene.device_file import read
 
 ROOT = Path(__file__).parents[2]

@@ -10,7 +10,7 @@ from sympy import Abs, I, S, symbols
 
 from symhaptic.notation import Delta_x, T, b, f_c, p_k, theta, x, y, z
 from symhaptic.notation.proposition import Not, Predicate, Relation, whole
-from symhaptic.proof.theorems.energy import dissipates, filtered, swings
+from symhaptic.proof.theorems.energy import dissipates, filtered, swing_gains
 from symhaptic.proof.theorems.kernel import NotShown, assume
 from symhaptic.proof.theorems.leaves import identity
 
@@ -174,7 +174,7 @@ def swing(force, start, way, one, other, wall=WALL):
 
 def test_a_swing_has_the_counts_that_it_is_given():
     gain = swing(K * y, x, p_k, S.Zero, n)
-    found = swings(K * y, y, WALL, (x, p_k, 0, n), gain)
+    found = swing_gains(K * y, y, WALL, (x, p_k, 0, n), gain)
     assert found.conclusion == Not((Predicate("passive_counted", (y,), (K * y, *WALL)),))
     assert {whole(S.Zero), whole(n)} <= found.hypotheses
     near = {
@@ -189,7 +189,7 @@ def test_a_swing_has_the_counts_that_it_is_given():
 def test_where_a_swing_begins_has_a_value():
     start = Delta_x / q
     gain = swing(K * y, start, p_k, S.Zero, S.One)
-    found = swings(K * y, y, WALL, (start, p_k, 0, 1), gain)
+    found = swing_gains(K * y, y, WALL, (start, p_k, 0, 1), gain)
     assert Relation(q, "!=", S.Zero) in found.hypotheses
 
 
@@ -206,4 +206,4 @@ def test_where_a_swing_begins_has_a_value():
 )
 def test_a_swing_is_real_and_gains(wall, way, gain, why):
     with pytest.raises(NotShown, match=why):
-        swings(K * y, y, wall, (x, way, 0, 1), gain)
+        swing_gains(K * y, y, wall, (x, way, 0, 1), gain)

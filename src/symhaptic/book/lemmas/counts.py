@@ -6,7 +6,7 @@ from sympy import Abs
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation import Delta_x, b, f_c, p_k
-from symhaptic.proof.theorems.energy import counted, dissipates, swings
+from symhaptic.proof.theorems.energy import counted, dissipates, swing_gains
 from symhaptic.proof.theorems.familiar import with_rest
 from symhaptic.rules.other_loops import SPRING, WALL
 
@@ -111,7 +111,7 @@ def _gain(force: Expr, swing: tuple[Any, ...], here: Given, *left: Any) -> Theor
     energy = one * way - other * way + 2 * b * way**2 / T + 2 * f_c * Abs(way)
     sizes = [[magnitude(of.args[0]), energy.expand().coeff(of)] for of in energy.atoms(Abs)]
     gain = combined(energy < 0, left, *sizes)
-    return here.closed(swings(force, y, BESIDE, swing, gain))
+    return here.closed(swing_gains(force, y, BESIDE, swing, gain))
 
 
 @cache

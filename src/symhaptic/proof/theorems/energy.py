@@ -34,7 +34,7 @@ SOURCES = {
     "filtered": "the same, of a response that converges on the circle",
     "dissipates": "a storage function; Willems, Arch. Rational Mech. Anal. 45, 1972. A given way "
     "costs damper and friction least at constant speed",
-    "swings": "definition of passivity: a swing that gains energy can be repeated",
+    "swing_gains": "definition of passivity: a swing that gains energy can be repeated",
     "stored": "what is stored at rest is nothing, and a device comes to rest at as little cost "
     "as one likes; Colgate and Schenkel, J. Robot. Syst. 14(1), 1997, Sec. 3",
 }
@@ -171,7 +171,7 @@ def dissipates(
 
 
 @rule
-def swings(
+def swing_gains(
     force: Any, place: Symbol, wall: Sequence[Any], swing: Sequence[Any], gain: Theorem
 ) -> Judgement:
     """A force F(y) is not passive if a swing of two periods gains energy.
