@@ -163,7 +163,10 @@ def test_a_quantised_wall_below_the_bound_swings_for_ever_without_friction():
 
 @pytest.mark.parametrize("counts", [0.2, 3.5, 10.9])
 def test_friction_of_half_a_count_ends_the_swing(counts):
-    """f_c >= K Delta/2 (Abbott and Okamura 2005); with half of it a push to the middle of two counts still swings."""
+    """f_c >= K Delta/2 (Abbott and Okamura 2005).
+
+    With half of it, a device that is pushed to the middle of two counts still swings.
+    """
     found = {}
     for share in (0.5, 1.0, 1.3):
         scene = Scene(**COURSE, coulomb_friction=share * STIFF * STEP / 2)
