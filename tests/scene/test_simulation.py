@@ -118,7 +118,7 @@ def test_the_filters_are_scipys():
 
 
 def test_a_gripper_of_a_simulator_grows():
-    """J = 2.2e-4, 9 ms of hold, kp = 2, kd = 0.1: a spectral radius of 3.29, its root negative."""
+    """Of a MuJoCo model: J = 2.2e-4, 9 ms of hold, kp = 2, kd = 0.1, a spectral radius of 3.29."""
     gripper = Scene(inertia=2.2e-4, sampling_period=9e-3, velocity=Measured())
     found = gripper.simulate(2.0, 0.1, duration="0.5 s", position0="1 deg").position
     device = expm(np.array([[0, 1, 0], [0, 0, 1 / 2.2e-4], [0, 0, 0]]) * 9e-3)[:2]
@@ -163,7 +163,10 @@ def test_a_quantised_wall_below_the_bound_swings_for_ever_without_friction():
 
 @pytest.mark.parametrize("counts", [0.2, 3.5, 10.9])
 def test_friction_of_half_a_count_ends_the_swing(counts):
-    """f_c >= K Delta/2; with half of it a push to the middle of two counts still swings."""
+    """f_c >= K Delta/2 (Abbott and Okamura 2005).
+
+    With half of it, a device that is pushed to the middle of two counts still swings.
+    """
     found = {}
     for share in (0.5, 1.0, 1.3):
         scene = Scene(**COURSE, coulomb_friction=share * STIFF * STEP / 2)
