@@ -91,8 +91,8 @@ def test_derivatives_of_forms_are_those_of_what_is_derived(parts):
 def test_no_derivative_is_taken_factor_by_factor_where_it_would_cancel():
     """1 - a + e, n1 - n0 and 1 - e are differentiated as a whole."""
     assert derivative(gamma * NumeratorAtOne(gamma, delta), gamma) == entire.Kick(gamma, delta)
-    assert derivative(delta**2 * values.Decay(delta) ** 2, delta) == (
-        2 * delta * values.Decay(delta) * sp.exp(-delta)
+    assert derivative(delta**2 * entire.Decay(delta) ** 2, delta) == (
+        2 * delta * entire.Decay(delta) * sp.exp(-delta)
     )
     for form in stable.forms(FULL, 1):
         if form.outside is sp.nan:

@@ -9,7 +9,7 @@ import sympy as sp
 from mpmath import mpf
 from scipy.linalg import expm
 
-from symhaptic.forms import stable, values
+from symhaptic.forms import entire, stable, values
 from symhaptic.forms.entire import Entire, written_out
 from symhaptic.model import plant
 from symhaptic.model.parts import ALL, FULL, Parts
@@ -150,12 +150,12 @@ def test_the_device_beside_the_exponential_of_its_matrix(at):
     a, e = moved[0, 0] + moved[1, 1], moved[0, 0] * moved[1, 1] - moved[0, 1] * moved[1, 0]
     point = {gamma: mpf(at[0]), delta: mpf(at[1])}
     expected = {
-        values.PlantN1: n1,
-        values.PlantN0: n0,
-        values.NumeratorAtOne: n1 + n0,
-        values.NumeratorGap: (n1 - n0) / at[1],
-        values.PlantTrace: a,
-        values.DenominatorAtMinusOne: 1 + a + e,
+        entire.PlantN1: n1,
+        entire.PlantN0: n0,
+        entire.NumeratorAtOne: n1 + n0,
+        entire.NumeratorGap: (n1 - n0) / at[1],
+        entire.PlantTrace: a,
+        entire.DenominatorAtMinusOne: 1 + a + e,
     }
     for cls, number in expected.items():
         found = values.value(cls(gamma, delta), point)
@@ -166,18 +166,18 @@ def test_the_device_beside_the_exponential_of_its_matrix(at):
     ("cls", "at", "limit"),
     [
         # the leading term of each power series
-        (values.PlantN1, (0, 0), "0.5"),
-        (values.PlantN0, (0, 0), "0.5"),
-        (values.NumeratorGap, (0, 0), "1/6"),
-        (values.NumeratorAtOne, (0, 0), "1"),
-        (values.Gap, (0,), "1/6"),
-        (values.Lag, (0,), "1/6"),
-        (values.Creep, (0,), "0.5"),
+        (entire.PlantN1, (0, 0), "0.5"),
+        (entire.PlantN0, (0, 0), "0.5"),
+        (entire.NumeratorGap, (0, 0), "1/6"),
+        (entire.NumeratorAtOne, (0, 0), "1"),
+        (entire.Gap, (0,), "1/6"),
+        (entire.Lag, (0,), "1/6"),
+        (entire.Creep, (0,), "0.5"),
         # (1 - cos(2))/4 and 1 - 2/e: textbook steps of an undamped and of a critical device
-        (values.PlantN1, (4, 0), "(1 - cos(2))/4"),
-        (values.PlantN1, (1, 2), "1 - 2*exp(-1)"),
-        (values.PlantN0, (1, 2), "exp(-2)"),
-        (values.PlantN1, (0, 3), "(3 - 1 + exp(-3))/9"),
+        (entire.PlantN1, (4, 0), "(1 - cos(2))/4"),
+        (entire.PlantN1, (1, 2), "1 - 2*exp(-1)"),
+        (entire.PlantN0, (1, 2), "exp(-2)"),
+        (entire.PlantN1, (0, 3), "(3 - 1 + exp(-3))/9"),
     ],
 )
 def test_values_where_the_closed_form_is_undefined(cls, at, limit):

@@ -32,24 +32,7 @@ from symhaptic.export.routine import (
     rewritten,
 )
 from symhaptic.forms import fractional_delay
-from symhaptic.forms.entire import (
-    Coast,
-    CosNext,
-    DenominatorAtMinusOne,
-    Ebb,
-    Echo,
-    Entire,
-    Kick,
-    NumeratorAtOne,
-    NumeratorGap,
-    NumeratorGapDrop,
-    PlantN0,
-    PlantN0Drop,
-    PlantN1,
-    PlantN1Drop,
-    PlantTrace,
-    SinNext,
-)
+from symhaptic.forms.entire import DEVICE, CosNext, Entire, Kick, PlantN0, PlantN1, SinNext
 from symhaptic.forms.form import Form
 from symhaptic.forms.implicit import FractionalPart, ImplicitFunction, SomePart, WholePart
 from symhaptic.forms.response import Ahead, Compensated, HalfTurned, InPhase, KickLow
@@ -160,9 +143,7 @@ class LateApart(sp.Function):  # type: ignore[misc]
 
 
 MERGED = (
-    NumeratorGap, PlantN0, DenominatorAtMinusOne, PlantN1, PlantTrace, NumeratorAtOne,
-    Kick, KickLow, Coast, Echo, Ebb, PlantN1Drop, PlantN0Drop, NumeratorGapDrop,
-    CosNext, SinNext, Ahead, InPhase, LateFirst, LateKick, LateLast, LateApart,
+    *DEVICE, KickLow, CosNext, SinNext, Ahead, InPhase, LateFirst, LateKick, LateLast, LateApart,
 )  # fmt: skip
 """Functions that have steps in common with others of the same arguments."""
 

@@ -19,12 +19,11 @@ from symhaptic.export.rounding import Goal, goals, told
 from symhaptic.export.routine import Library, parts, rewritten
 from symhaptic.export.vectors import allowed
 from symhaptic.forms.device_forms import ANY
-from symhaptic.forms.entire import written_out
+from symhaptic.forms.entire import ALL, written_out
 from symhaptic.forms.implicit import FractionalPart, ImplicitFunction, Rated, SomePart, WholePart
 from symhaptic.forms.response import closed
 from symhaptic.forms.root_count import FractionalRoots, WholeRoots
 from symhaptic.forms.stable import Form
-from symhaptic.forms.values import ALL
 from symhaptic.model import loop
 from symhaptic.model.parts import Parts
 from symhaptic.notation import SYMBOLS, beta, d, delta, epsilon, gamma, l

@@ -387,6 +387,15 @@ class NumeratorGapDrop(Entire, nargs=2, at_zero=SIXTH / 20):
     )
 
 
+ALL: dict[str, Any] = {cls.__name__: cls for cls in Entire.__subclasses__()}
+"""All entire functions by name."""
+
+DEVICE = (
+    PlantN1, PlantN0, NumeratorAtOne, NumeratorGap, PlantTrace, DenominatorAtMinusOne, Kick, Coast,
+    Echo, Ebb, PlantN1Drop, PlantN0Drop, NumeratorGapDrop,
+)  # fmt: skip
+"""Those of the device, of gamma and delta."""
+
 # -- which is the derivative of which ----------------------------------------------------------
 
 SLOPES: dict[Any, tuple[Callable[..., Expr], ...]] = {
@@ -417,9 +426,3 @@ SLOPES: dict[Any, tuple[Callable[..., Expr], ...]] = {
     ),
 }
 """The derivative by each argument, made of entire functions."""
-
-NEW = (
-    Kick, Coast, Echo, Ebb, PlantN1Drop, PlantN0Drop, NumeratorGapDrop, Bend, Wane, Ripple,
-    SpreadSlope, ChordSlope,
-)  # fmt: skip
-"""Those that only derivatives ask for."""

@@ -13,49 +13,14 @@ from flint import arb
 from mpmath import mpf
 from sympy import Expr, Symbol
 
-from symhaptic.forms.entire import (
-    NEW,
-    C,
-    Chord,
-    Coast,
-    CosNext,
-    Creep,
-    Decay,
-    DenominatorAtMinusOne,
-    Ebb,
-    Echo,
-    Fade,
-    Gap,
-    Kick,
-    Lag,
-    NumeratorAtOne,
-    NumeratorGap,
-    NumeratorGapDrop,
-    PlantN0,
-    PlantN0Drop,
-    PlantN1,
-    PlantN1Drop,
-    PlantTrace,
-    S,
-    Sinc,
-    SinNext,
-    Spread,
-)
+from symhaptic.forms import entire
+from symhaptic.forms.entire import ALL
 from symhaptic.forms.implicit import ImplicitFunction
 from symhaptic.forms.response import closed
 from symhaptic.forms.root_count import fractional_outside, outside
 
 _TRIES = 4
 """Precisions tried, each with more digits than the one before, until two agree."""
-
-ALL: dict[str, Any] = {
-    cls.__name__: cls
-    for cls in (
-        C, S, Decay, Creep, Fade, Lag, Sinc, Gap, CosNext, SinNext, Spread, Chord,
-        PlantN1, PlantN0, NumeratorAtOne, NumeratorGap, PlantTrace, DenominatorAtMinusOne, *NEW,
-    )
-}  # fmt: skip
-"""All entire functions by name."""
 
 
 def value(expr: Expr, at: dict[Symbol, mpf], digits: int = 40) -> mpf:
@@ -146,27 +111,25 @@ def numeric(cls: Any) -> Callable[..., mpf]:
 
 
 _WITHOUT_SPRING: dict[Any, Any] = {
-    PlantN1: Creep,
-    PlantN0: Fade,
-    NumeratorAtOne: Decay,
-    NumeratorGap: Lag,
+    entire.PlantN1: entire.Creep,
+    entire.PlantN0: entire.Fade,
+    entire.NumeratorAtOne: entire.Decay,
+    entire.NumeratorGap: entire.Lag,
 }
 
 
 def _hidden(cls: Any, at: list[mpf]) -> mpf | None:
     """The value where the closed form is 0/0, else None."""
-    if cls in (CosNext, SinNext, Spread, Chord, C, PlantTrace, DenominatorAtMinusOne) or (
-        len(at) == 2 and cls in NEW
-    ):
-        return None
     if len(at) == 1:
         return None if at[0] else mpf(cls.at_zero.p) / cls.at_zero.q
+    if cls not in _WITHOUT_SPRING:
+        return None
     gamma, delta = at
     if gamma == 0:
         return numeric(_WITHOUT_SPRING[cls])(delta)
-    if delta == 0 and cls is NumeratorGap:
-        return numeric(Gap)(mpmath.sqrt(gamma))
-    if delta**2 != 4 * gamma or cls is NumeratorAtOne:
+    if delta == 0 and cls is entire.NumeratorGap:
+        return numeric(entire.Gap)(mpmath.sqrt(gamma))
+    if delta**2 != 4 * gamma or cls is entire.NumeratorAtOne:
         return None
     # smooth, and the point beside is nearer than the precision asked for
     step = mpf(10) ** -(2 * mpmath.mp.dps)
@@ -227,11 +190,11 @@ def _numbers(found: Callable[[Any, Any], Any]) -> Callable[[mpf, mpf], mpf]:
 
 
 BY_MATRIX: dict[Any, Callable[[mpf, mpf], mpf]] = {
-    Kick: _numbers(lambda g, d: _chain(1, g, d)[0, 1]),
-    Coast: _numbers(lambda g, d: _chain(1, g, d)[1, 1]),
-    Echo: _numbers(lambda g, d: _chain(2, g, d)[0, 3]),
-    Ebb: _numbers(_ebb),
-    PlantN1Drop: _numbers(lambda g, d: _chain(2, g, d, arb(0))[0, 4]),
-    PlantN0Drop: _numbers(lambda g, d: _chain(2, g, d, d)[0, 4]),
-    NumeratorGapDrop: _numbers(lambda g, d: _chain(2, g, d, arb(0), d)[0, 5]),
+    entire.Kick: _numbers(lambda g, d: _chain(1, g, d)[0, 1]),
+    entire.Coast: _numbers(lambda g, d: _chain(1, g, d)[1, 1]),
+    entire.Echo: _numbers(lambda g, d: _chain(2, g, d)[0, 3]),
+    entire.Ebb: _numbers(_ebb),
+    entire.PlantN1Drop: _numbers(lambda g, d: _chain(2, g, d, arb(0))[0, 4]),
+    entire.PlantN0Drop: _numbers(lambda g, d: _chain(2, g, d, d)[0, 4]),
+    entire.NumeratorGapDrop: _numbers(lambda g, d: _chain(2, g, d, arb(0), d)[0, 5]),
 }
