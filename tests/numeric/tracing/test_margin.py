@@ -540,9 +540,11 @@ def hardly_damped(rng, count):
     return np.array([alpha, beta, gamma, delta])[:, keep]
 
 
-@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.ci)])
-def test_hardly_damped_devices_end_in_time_and_no_smaller_delay_is_unstable(seed, monkeypatch):
-    """120 of them beside Schur's test in balls: at five delays below, and right above."""
+@pytest.mark.parametrize(("seed", "count"), [(1, 60), pytest.param(2, 120, marks=pytest.mark.ci)])
+def test_hardly_damped_devices_end_in_time_and_no_smaller_delay_is_unstable(
+    seed, count, monkeypatch
+):
+    """So many beside Schur's test in balls: at five delays below, and right above."""
     looked_at, bands = 0, losses.bands
 
     def counted(part, wall):
@@ -552,7 +554,7 @@ def test_hardly_damped_devices_end_in_time_and_no_smaller_delay_is_unstable(seed
 
     monkeypatch.setattr(losses, "bands", counted)
     rng = np.random.default_rng(seed)
-    loops, bounds, lost = hardly_damped(rng, 1000)[:, :120].T.tolist(), 0, 0
+    loops, bounds, lost = hardly_damped(rng, 1000)[:, :count].T.tolist(), 0, 0
     for loop in loops:
         looked_at = 0
         with warnings.catch_warnings(record=True) as told:
@@ -567,5 +569,5 @@ def test_hardly_damped_devices_end_in_time_and_no_smaller_delay_is_unstable(seed
             steps = margin + (1 + margin) * np.array([1e-9, 1e-8, 1e-7, 1e-6])
             assert not all(all_inside(*loop, float(delay)) for delay in steps), loop
             lost += 1
-    assert lost > 40
-    assert bounds < 12
+    assert lost > count // 3
+    assert bounds < count // 10
