@@ -62,6 +62,22 @@ class Scene(DeviceLoop):
         The delay d in sampling periods instead, >= 0.
     arm : Arm, optional
         The arm that holds the device.
+    dynamics : LinearDevice, optional
+        Any linear device, instead of mass, damping, stiffness and arm.
+    velocity : LowPass, Average, Window, Filter, Measured or Difference, optional
+        What the wall takes for the velocity; (x_k - x_(k-1))/T if left out, as in the paper.
+    actuator : Lag, optional
+        A lag between the command and the force.
+    structure : SecondMass, optional
+        A second mass behind a spring.  The arm is on the motor's side of it.
+    integrator : str
+        ``"hold"`` for a device, ``"semi-implicit Euler"`` or ``"explicit Euler"`` for a simulator.
+    virtual_mass : float, optional
+        M in kg, >= 0, of a wall that adds M times the second difference over T^2.
+    encoder : Encoder, optional
+        Steps of the position sensor, for :meth:`max_quantised_stiffness` and :meth:`simulate`.
+    coulomb_friction : float, optional
+        f_c in N, >= 0, for the same.
 
     Raises
     ------
