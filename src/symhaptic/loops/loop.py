@@ -45,7 +45,7 @@ class Loop:
         return K[..., None] * self.X + B[..., None] * self.Y + self.E
 
 
-_SHORT = 4
+SHORT = 4
 """Up to so many samples a mean is written in powers of w."""
 
 
@@ -60,7 +60,7 @@ def closed(
 
     ``virtual_mass`` is M/m of a wall that adds M (1 - 1/z)^2/T^2 to its force.
     """
-    long = velocity.over > _SHORT
+    long = velocity.over > SHORT
     z: Polynomial = (0, 1) if long else (1, 1)
     w: Polynomial = (-1, 1) if long else (0, 1)
 

@@ -11,7 +11,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from symhaptic.loops.circle import Array, point, value
+from symhaptic.loops.circle import Array, Complex, point, value
+from symhaptic.loops.loop import SHORT
 from symhaptic.loops.velocity import Velocity
 
 
@@ -26,20 +27,36 @@ class Needs:
     ) -> None:
         self.velocity, self.delay, self.period = velocity, delay, period
         self.virtual_mass = virtual_mass
-        above, below, late = velocity.ratio(period)
-        turns = delay + late + len(above) + len(below) + 2
+        if velocity.over > SHORT:
+            turns = delay + velocity.over
+        else:
+            above, below, late = velocity.ratio(period)
+            turns = delay + late + len(above) + len(below)
         uniform = np.linspace(0, np.pi, 32 * turns + 256)
-        self.theta = np.union1d(np.geomspace(1e-6 / turns, 1.0, 200), uniform[1:])
+        self.theta = np.union1d(np.geomspace(1e-9 / turns, 1.0, 200), uniform[1:])
         self.of_K, self.of_B, self.rest = self.at(self.theta)
 
     def at(self, theta: Array) -> tuple[Array, Array, Array]:
-        """p, q and r at angles, 0 < theta <= pi."""
-        w, z = point(theta, False), np.exp(1j * theta)
+        """p, q and r at angles, 0 < theta <= pi.
+
+        With w^2/|w|^2 = -z nothing is divided that vanishes at 0.
+        """
+        half = theta / 2
+        p = np.sin((2 * self.delay + 1) * half) / (2 * np.sin(half))
+        q = -(np.exp(-1j * self.delay * theta) * self._slope(theta)).real
+        heavy = np.exp(-1j * (self.delay + 2) * theta) * point(theta, False)
+        return p, q, -self.virtual_mass * heavy.real
+
+    def _slope(self, theta: Array) -> Complex:
+        """V(z)/(z - 1)."""
+        n = self.velocity.over
+        if n > SHORT:
+            mean = np.sin(n * theta / 2) / (n * np.sin(theta / 2))
+            return np.asarray(mean * np.exp(-1j * (n + 1) * theta / 2))
         above, below, late = self.velocity.ratio(self.period)
-        V = value(np.array(above, dtype=float), w) / value(np.array(below, dtype=float), w)
-        turn = z ** (-self.delay) * (w / z) / np.abs(w) ** 2
-        heavy = self.virtual_mass * (w / z) ** 2
-        return turn.real, (turn * V * z ** (-late)).real, (turn * heavy).real
+        w = point(theta, False)
+        top, bottom = (value(np.array(x, dtype=float), w) for x in (above[1:], below))
+        return np.asarray(top / bottom * np.exp(-1j * late * theta))
 
     def required(self, K: Array, B: Array) -> tuple[Array, Array]:
         """The largest damping that each wall needs at any angle, and that angle.
