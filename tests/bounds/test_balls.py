@@ -36,6 +36,13 @@ def test_newtons_steps_narrow_a_ball_to_its_zero():
     assert narrowed(wave, lambda x: 3 * (3 * x).cos(), wide) is wide  # its slope has no sign
 
 
+def test_a_zero_at_0_is_not_narrowed_for_ever():
+    """A float has ever smaller numbers around 0, and so have balls."""
+    zero = narrowed(lambda x: x * x * x + x, lambda x: 3 * x * x + 1, arb(0, 0.1))
+    assert zero.contains(0)
+    assert zero.rad() < 1e-10
+
+
 @pytest.mark.parametrize(("low", "high"), [(0, 1), (1, 3), (2, 4), (3, 7)])
 def test_sinc_between_two_angles_contains_each_value(low, high):
     between = sinc(arb(low), arb(high))

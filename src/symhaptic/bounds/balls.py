@@ -26,6 +26,10 @@ def sinc(low: arb, high: arb) -> arb:
     return low.union(high).sinc()
 
 
+_STEPS = 50
+"""Newton's steps at most: a ball around a zero at 0 would get smaller without end."""
+
+
 class TooMany(ArithmeticError):
     """Pieces of an interval that are not decided."""
 
@@ -61,7 +65,10 @@ def narrowed(value: Callable[[arb], arb], slope: Callable[[arb], arb], piece: ar
     >>> print(narrowed(lambda x: x * x - 2, lambda x: 2 * x, arb(1).union(2)).str(10))
     [1.414213562 +/- 3.74e-10]
     """
-    while (rises := slope(piece)) > 0 or rises < 0:
+    for _ in range(_STEPS):
+        rises = slope(piece)
+        if not (rises > 0 or rises < 0):
+            break
         middle = arb(piece.mid())
         step = middle - value(middle) / rises
         if not step.overlaps(piece):
