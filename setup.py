@@ -1,7 +1,7 @@
-"""What pyproject.toml cannot say: the compiled kernels, and the data that lies beside src/.
+"""What pyproject.toml cannot say: the compiled kernels and loops, and the data that lies beside src/.
 
-The extension is optional: where no compiler is found the package is installed without it, and
-everything runs on the kernels for arrays of any library.
+The extensions are optional: where no compiler is found the package is installed without them, and
+everything runs on NumPy and on the kernels for arrays of any library.
 """
 
 import shutil
@@ -62,6 +62,7 @@ setup(
             depends=[f"{KERNELS}/{name}.{end}" for name in LIBRARIES for end in "ch"],
             include_dirs=[numpy.get_include()],
             optional=True,
-        )
+        ),
+        Extension("symhaptic.loops._count", ["src/symhaptic/loops/_count.c"], optional=True),
     ],
 )

@@ -12,7 +12,7 @@ HOME = Path(symhaptic.__file__).parent
 
 ROOMS = (
     *("notation", "paper", "rules", "model", "proof", "forms", "export", "kernels"),
-    *("numeric", "bounds", "book", "rocq", "scene", "sweeps", "bench", "check", "cli"),
+    *("numeric", "loops", "bounds", "book", "rocq", "scene", "sweeps", "bench", "check", "cli"),
 )
 """Each may import those before it."""
 

@@ -79,14 +79,15 @@ def test_what_is_left_out_is_not_modelled():
     assert scene.dimensionless == (0.0, 0.0, 0.0)
 
 
-BAD = [-1.0, np.nan, np.inf, "1", 1j, [1.0], True, np.True_, 10**400, -(10**6000)]
+BAD = [-1.0, np.nan, np.inf, "1e999", 1j, [1.0], True, np.True_, 10**400, -(10**6000)]
 
 
 @pytest.mark.parametrize("name", ["mass", "sampling_period", "damping", "stiffness", "delay"])
 @pytest.mark.parametrize("bad", BAD, ids=range(len(BAD)))
 def test_an_impossible_number_is_named(name, bad):
     given = {"mass": 1.0, "sampling_period": 1e-3} | {name: bad}
-    with pytest.raises(ValueError, match=f"^{name}: .+ is not allowed; give finite numbers >=? 0$"):
+    allowed = "(finite numbers >=? 0|a number and a unit that converts to .+)"
+    with pytest.raises(ValueError, match=f"^{name}: .+ is not allowed; give {allowed}$"):
         Scene(**given)
 
 
@@ -100,9 +101,9 @@ def test_no_mass_and_no_period_are_impossible(name):
 @pytest.mark.parametrize("bad", [np.inf, "1", None])
 def test_a_wall_of_no_number_is_named(bad):
     scene = Scene(mass=1.0, sampling_period=1e-3)
-    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; give (finite|real) numbers$"):
+    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; give (finite|real|a) number"):
         scene.delay_margin(K=bad, B=1.0)
-    with pytest.raises(ValueError, match=r"^B: .+ is not allowed; give (finite|real) numbers$"):
+    with pytest.raises(ValueError, match=r"^B: .+ is not allowed; give (finite|real|a) number"):
         scene.delay_margin(K=1.0, B=bad)
     assert np.isnan(scene.delay_margin(K=np.nan, B=1.0))
 
@@ -265,7 +266,7 @@ def test_no_wall_of_too_much_damping_is_passive(samples):
 @pytest.mark.parametrize("bad", [np.nan, np.inf, "5", True, 1j, [1.0, np.inf], ["a"]])
 def test_a_damping_of_no_number_is_named(name, bad):
     scene = Scene(mass=0.1, damping=0.5, sampling_period=1e-3, delay=1e-3)
-    with pytest.raises(ValueError, match=r"^B: .+ is not allowed; give (finite|real) numbers$"):
+    with pytest.raises(ValueError, match=r"^B: .+ is not allowed; give (finite|real|a) number"):
         getattr(scene, name)(bad)
 
 
@@ -316,7 +317,7 @@ def test_a_device_of_which_a_float_tells_nothing_is_told_by_what_was_given(more,
 
 @pytest.mark.parametrize("name", ["mass", "sampling_period"])
 def test_without_a_mass_or_a_period_there_is_no_loop(name):
-    with pytest.raises(ValueError, match=f"^{name}: None is not allowed; give finite numbers > 0$"):
+    with pytest.raises(ValueError, match=f"^{name}: is missing; give {name} or "):
         Scene(**{"mass": 0.1, "sampling_period": 1e-3, name: None})
 
 

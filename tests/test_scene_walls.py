@@ -87,7 +87,7 @@ def test_what_is_no_wall_is_named(name):
     ask = getattr(late(0), name)
     with pytest.raises(ValueError, match=r"^K: inf is not allowed; give finite numbers$"):
         ask(np.inf, 1.0)
-    with pytest.raises(ValueError, match=r"^B: '1' is not allowed; give real numbers$"):
+    with pytest.raises(ValueError, match=r"^B: '1' is not allowed; give a number and a unit"):
         ask(1.0, "1")
     with pytest.raises(ValueError, match=r"^K: 1e\+75 is not allowed; give numbers up to"):
         ask(1e75, 1.0)

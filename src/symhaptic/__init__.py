@@ -14,6 +14,10 @@ from symhaptic.version import __version__ as __version__
 
 if TYPE_CHECKING:
     from symhaptic.book.formulas import Formula, formula
+    from symhaptic.loops.actuator import Lag
+    from symhaptic.loops.sensor import Encoder
+    from symhaptic.loops.structure import SecondMass
+    from symhaptic.loops.velocity import Average, Difference, Filter, LowPass, Measured, Window
     from symhaptic.model.jury import jury
     from symhaptic.numeric.boundary import stability_boundary
     from symhaptic.numeric.compiled import show_config
@@ -28,7 +32,7 @@ if TYPE_CHECKING:
     )
     from symhaptic.numeric.plant import discretize, discretize_fractional
     from symhaptic.numeric.stability import characteristic_polynomial, is_stable, unstable_roots
-    from symhaptic.numeric.tracing.extremes import max_stable_stiffness
+    from symhaptic.numeric.tracing.extremes import limit_at, max_stable_stiffness
     from symhaptic.numeric.tracing.grid import grid_boundary
     from symhaptic.numeric.tracing.margin import delay_margin, max_delay
     from symhaptic.numeric.tracing.region import Region, stable_region
@@ -46,11 +50,20 @@ if TYPE_CHECKING:
 _HOME = {
     "Arm": "symhaptic.scene.arms",
     "ArmRange": "symhaptic.scene.arms",
+    "Average": "symhaptic.loops.velocity",
+    "Difference": "symhaptic.loops.velocity",
+    "Encoder": "symhaptic.loops.sensor",
     "Extremum": "symhaptic.numeric.extremum",
+    "Filter": "symhaptic.loops.velocity",
     "Formula": "symhaptic.book.formulas",
+    "Lag": "symhaptic.loops.actuator",
+    "LowPass": "symhaptic.loops.velocity",
+    "Measured": "symhaptic.loops.velocity",
     "Region": "symhaptic.numeric.tracing.region",
     "Scene": "symhaptic.scene.scene",
+    "SecondMass": "symhaptic.loops.structure",
     "Verdict": "symhaptic.proof.verdict",
+    "Window": "symhaptic.loops.velocity",
     "characteristic_polynomial": "symhaptic.numeric.stability",
     "delay_margin": "symhaptic.numeric.tracing.margin",
     "discretize": "symhaptic.numeric.plant",
@@ -63,6 +76,7 @@ _HOME = {
     "is_stable": "symhaptic.numeric.stability",
     "jury": "symhaptic.model.jury",
     "lambdify": "symhaptic.scene.callables",
+    "limit_at": "symhaptic.numeric.tracing.extremes",
     "linear_limit": "symhaptic.numeric.linear",
     "max_delay": "symhaptic.numeric.tracing.margin",
     "max_passive_stiffness": "symhaptic.numeric.passivity",
@@ -83,11 +97,20 @@ _HOME = {
 __all__ = [
     "Arm",
     "ArmRange",
+    "Average",
+    "Difference",
+    "Encoder",
     "Extremum",
+    "Filter",
     "Formula",
+    "Lag",
+    "LowPass",
+    "Measured",
     "Region",
     "Scene",
+    "SecondMass",
     "Verdict",
+    "Window",
     "characteristic_polynomial",
     "delay_margin",
     "discretize",
@@ -100,6 +123,7 @@ __all__ = [
     "is_stable",
     "jury",
     "lambdify",
+    "limit_at",
     "linear_limit",
     "max_delay",
     "max_passive_stiffness",

@@ -80,24 +80,24 @@ def test_words_and_a_picture(device, tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [
-        ('"72 g"', '"72 lb"', "device.toml:1: mass = '72 lb' is not allowed; give a number"),
+        ('"72 g"', '"72 V"', "device.toml:1: mass: '72 V' is not allowed; give a number"),
         ("\ndelay", "\ndealy", "device.toml:4: dealy is not known; did you mean 'delay'?"),
-        ('"1 ms"', '"0 ms"', "device.toml:3: sampling_period: 0.0 is not allowed"),
+        ('"1 ms"', '"0 ms"', "device.toml:3: sampling_period: '0 ms' is not allowed"),
         ('mass = "72 g"\n', "", "device.toml: mass is missing, such as mass = "),
         ("[arm]", "[hand]", "device.toml:6: [hand] is no table; allowed are"),
         ('B = "5 Ns/m"', "", "device.toml: [wall] needs K and B"),
-        ('K = "800 N/m"', "K = true", "device.toml:12: K = True is not allowed"),
-        ('"800 N/m"', '"800 N"', "device.toml:12: K = '800 N' is not allowed"),
+        ('K = "800 N/m"', "K = true", "device.toml:12: K: True is not allowed"),
+        ('"800 N/m"', '"800 N"', "device.toml:12: K: '800 N' is not allowed"),
         ("[wall]", "[wall", "device.toml: "),
         ('K = "800 N/m"\nB = "5 Ns/m"\n', "", "device.toml: [wall] needs K and B"),
-        ('"800 N/m"', '"1e400 N/m"', "device.toml:12: K: inf is not allowed; give finite numbers"),
+        ('"800 N/m"', '"1e400 N/m"', "device.toml:12: K: '1e400 N/m' is not allowed; give finite"),
         ('"5 Ns/m"', "nan", "device.toml:13: B: nan is not allowed; give finite numbers"),
         ('"800 N/m"', '"1e80 N/m"', "device.toml: K: 1e+80 is not allowed; "),
         ('"40 N/m"', '"1e25 N/m"', "device.toml:9: stiffness: 1e+25 with mass=0.572 and s"),
         ('"0.005 Ns/m"', '"1e80 Ns/m"', "device.toml:2: damping: 1e+80 with mass=0.072 and sa"),
         ('delay = "1.5 ms"', "delay_samples = 1e16", "device.toml:4: delay_samples: 1e+16 with"),
         ('delay = "1.5 ms"', "delay_samples = 2e5", "device.toml: delay: 200000.0 is not allowed"),
-        ('"72 g"', 400 * "9", "device.toml:1: mass: inf is not allowed; give finite numbers > 0"),
+        ('"72 g"', 400 * "9", "... is not allowed; give finite numbers > 0"),
         ('"72 g"', 9999 * "9", "device.toml: Exceeds the limit (4300 digits) for integer string"),
         ('"72 g"', 3000 * "[" + 3000 * "]", "device.toml: is nested too deeply"),
         ("[arm]\n", '[arm]\nname = "Hogan"\n', "device.toml:8: mass beside name is not allowed"),
@@ -201,9 +201,9 @@ def test_the_delay_margin_of_a_wall_begins_at_the_delay_of_the_loop(tmp_path):
     [
         ('"Phantom Premium 1.5"', '"Phantom Premium 2"', "device.toml:1: device: 'Phantom Premi"),
         ('"Phantom Premium 1.5"', '"Touch"', "device.toml: mass is missing, such as mass = "),
-        ('["0.5 kg", "2 kg"]', '["2 kg", "0.5 kg"]', "device.toml:6: mass: (2.0, 0.5) is not"),
-        ('["0.5 kg", "2 kg"]', '["2 kg"]', "device.toml:6: mass = ['2 kg'] is not allowed"),
-        ('"6 Ns/m"', '"6 N/m"', "device.toml:7: damping = '6 N/m' is not allowed; give a number"),
+        ('["0.5 kg", "2 kg"]', '["2 kg", "0.5 kg"]', "device.toml:6: mass: ['2 kg', '0.5 kg'] is"),
+        ('["0.5 kg", "2 kg"]', '["2 kg"]', "device.toml:6: mass: ['2 kg'] is not allowed"),
+        ('"6 Ns/m"', '"6 N/m"', "device.toml:7: damping: '6 N/m' is not allowed; give a number"),
         ('damping = "6', 'dampng = "6', "device.toml:7: dampng is not known; did you mean 'damp"),
     ],
 )
@@ -375,3 +375,104 @@ def test_a_device_is_not_written_over(device):
     assert done.returncode == 2
     assert done.stderr.endswith(": is what is read here; another file is allowed\n")
     assert place.read_text() == text
+
+
+KNOB = """inertia = "200 g cm^2"
+damping = "0.01 mN m s/deg"
+sampling_rate = "1 kHz"
+delay = "1 ms"
+
+[wall]
+K = "0.5 N m/turn"
+B = "0.05 N m s/turn"
+"""
+
+
+def test_a_rotary_device_has_its_limits_in_its_units(tmp_path):
+    path = tmp_path / "knob.toml"
+    path.write_text(KNOB)
+    words = symhaptic("limits", path, "--chart", "-o", tmp_path / "chart.svg").stdout
+    assert "N m/rad with B = " in words
+    assert "passivity margin -0.007425 N m s/rad" in words
+    assert "N/m" not in words
+    assert "Ns/m" not in words
+    assert "B in N m s/rad  stable K in N m/rad  at Hz  passive K in N m/rad\n" in words
+    assert (tmp_path / "chart.svg").stat().st_size > 10_000
+    found = json.loads(symhaptic("limits", path, "--format", "json").stdout)
+    assert found["units"] == {"K": "N m/rad", "B": "N m s/rad", "frequency_hz": "Hz"}
+    assert found["wall"]["K"] == pytest.approx(0.5 / (2 * np.pi))
+
+
+def test_the_chart_has_the_limits_over_the_damping(device, tmp_path):
+    from symhaptic.scene.device_file import read
+
+    scene = read(device).scene
+    run = symhaptic("limits", device, "--chart", "--format", "json", "-o", tmp_path / "chart.png")
+    assert run.returncode == 0, run.stderr
+    assert (tmp_path / "chart.png").stat().st_size > 10_000
+    found = json.loads(run.stdout)
+    chart = {name: np.array(values, float) for name, values in found["chart"].items()}
+    assert chart.keys() == {"B", "stable_up_to", "frequency_hz", "passive_up_to"}
+    assert np.nanmax(chart["stable_up_to"]) == pytest.approx(
+        found["stiffest_stable"]["K"], rel=1e-3
+    )
+    assert np.isnan(chart["stable_up_to"][-1])
+    for row in range(0, len(chart["B"]), 50):
+        limit = scene.limit_at(chart["B"][row])
+        assert (limit.K, limit.frequency_hz) == (
+            chart["stable_up_to"][row],
+            chart["frequency_hz"][row],
+        )
+    listed = symhaptic("limits", device, "--chart").stdout.partition("\nB in Ns/m")[2]
+    assert 15 <= len(listed.splitlines()) <= 25
+
+
+def test_the_damping_with_the_largest_delay_margin_is_said(device):
+    wall = json.loads(symhaptic("limits", device, "--format", "json").stdout)["wall"]
+    ((low, high),) = wall["stable_B"]
+    assert low < wall["best_B"] < high
+    assert wall["best_delay_margin_s"] >= wall["delay_margin_s"]
+    said = f"stable with B = {low:.4g} to {high:.4g} Ns/m; the largest delay margin, "
+    assert said in symhaptic("limits", device).stdout
+    device.write_text(DEVICE.replace("800 N/m", "80 kN/m"))
+    assert "  with this K    no damping makes it stable\n" in symhaptic("limits", device).stdout
+
+
+def test_a_device_that_no_wall_makes_stable_has_an_empty_chart(tmp_path):
+    path = tmp_path / "device.toml"
+    path.write_text("mass = 1\nstiffness = 1e6\nsampling_period = 1\ndelay_samples = 3\n")
+    run = symhaptic("limits", path, "--chart", "-o", tmp_path / "chart.svg")
+    assert run.returncode == 0, run.stderr
+    assert run.stdout.endswith("B in Ns/m  stable K in N/m  at Hz  passive K in N/m\n")
+COURSE = """mass = "40 g"
+damping = "0.8 Ns/m"
+sampling_rate = "1 kHz"
+coulomb_friction = "20 mN"
+
+[encoder]
+resolution = "61.4 um"
+"""
+
+
+@pytest.mark.parametrize(
+    ("friction", "K", "by", "said"),
+    [
+        ("20 mN", 2 * 0.02 / 61.4e-6, "friction", "passive up to 651.5 N/m without B, limited by"),
+        ("60 mN", 2 * 0.8 / 1e-3, "damping", "friction would allow 1954 N/m"),
+        ("0 N", 0.0, "friction", "nothing: without Coulomb friction, the steps can sustain"),
+    ],
+)
+def test_friction_or_damping_limits_a_wall_with_an_encoder(friction, K, by, said, tmp_path):
+    """K <= min(2 b/T, 2 f_c/Delta) without virtual damping (Abbott and Okamura 2005)."""
+    path = tmp_path / "device.toml"
+    path.write_text(COURSE.replace("20 mN", friction), encoding="utf-8")
+    found = json.loads(symhaptic("limits", path, "--format", "json").stdout)["passive_with_encoder"]
+    assert (found["K"], found["B"], found["limited_by"]) == (pytest.approx(K), 0.0, by)
+    assert f"\nwith encoder     {found['words']}\n" in symhaptic("limits", path).stdout
+    assert said in found["words"]
+
+
+def test_an_encoder_without_a_resolution_is_refused(tmp_path):
+    path = tmp_path / "device.toml"
+    path.write_text(COURSE.partition("resolution")[0], encoding="utf-8")
+    assert symhaptic("limits", path).stderr.endswith("[encoder] needs resolution\n")

@@ -15,6 +15,7 @@ from symhaptic import (
     discretize_fractional,
     is_passive,
     is_stable,
+    limit_at,
     linear_limit,
     max_delay,
     max_passive_stiffness,
@@ -33,7 +34,7 @@ ARRAYS = {
     is_passive: (4, bool),
     passivity_margin: (4, float), passivity_boundary: (3, float),
     max_passive_stiffness: (2, float), linear_limit: (3, float), discretize: (2, float),
-    passivity_margin_at: (5, float), discretize_fractional: (3, float),
+    passivity_margin_at: (5, float), discretize_fractional: (3, float), limit_at: (4, float),
 }  # fmt: skip
 each = pytest.mark.parametrize("function", ARRAYS, ids=lambda f: f.__name__)
 

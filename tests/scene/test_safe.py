@@ -101,7 +101,7 @@ def test_what_is_no_number_is_named(bad):
         "B:": lambda: safe.limit_at(bad),
         "K:": lambda: safe.is_passive(bad, 1.0),
     }.items():
-        with pytest.raises(ValueError, match=f"^{name}.* is not allowed; give real numbers"):
+        with pytest.raises(ValueError, match=f"^{name}.* is not allowed; give (real|a) number"):
             ask()
 
 
@@ -130,7 +130,7 @@ def test_a_masked_wall_is_not_said_to_be_safe():
         (lambda: ArmRange(mass=(1, 2, 3)), "mass: .* a number or"),
         (lambda: ArmRange(damping=1, damping_per_mass=2), "damping_per_mass: 2 beside damping=1"),
         (lambda: ArmRange(damping=np.array([1, 2])), r"damping: array\(\[1, 2\]\) is not allowed"),
-        (lambda: ArmRange(mass=None), "mass: None is not allowed; give finite numbers >= 0"),
+        (lambda: ArmRange(mass=(0, None)), "mass: None is not allowed; give finite numbers >= 0"),
         (lambda: ArmRange(stiffness=(0, float("inf"))), "stiffness: inf is not allowed"),
         (lambda: ArmRange.around([]), "arms: .* is not allowed"),
         (

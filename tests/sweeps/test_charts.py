@@ -103,3 +103,14 @@ def test_where_no_wall_is_stable_a_picture_says_so():
     figure = charts.delay_margin(SCENE, K=(1e6, 1e7), points=10)
     (axes,) = figure.axes
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["not stable"]
+
+
+def test_charts_of_a_rotary_device_have_its_units():
+    knob = Scene(inertia=1e-4, damping=2e-3, stiffness=0.1, sampling_period=1e-3)
+    for chart in (charts.robust_limits, charts.delay_margin):
+        axes = chart(knob, points=12).axes[0]
+        assert axes.get_xlabel().endswith(" in N m s/rad")
+        assert axes.get_ylabel().endswith(" in N m/rad")
+    title = charts.robust_limits(knob, points=12).axes[0].get_title(loc="left")
+    assert title == "$k$ = 0 to 0.1 N m/rad, $b$ = 0 to 0.002 N m s/rad"
+    assert charts.stiffest(knob, points=12).axes[0].get_ylabel().endswith(" in N m s/rad")

@@ -351,7 +351,7 @@ def test_other_mistakes():
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        ({"K": "1"}, "K: '1' is not allowed; give real numbers"),
+        ({"K": "1"}, "K: '1' is not allowed; give a number and a unit"),
         ({"sheet": 3}, "sheet: 3 is not allowed; give 'exact' or 'principal'"),
         ({"sheets": "exact"}, "sheets: is not allowed; allowed are K, B"),
         ({"scene": "device"}, "scene: 'device' is not allowed; give a Scene"),
@@ -408,3 +408,42 @@ def test_of_a_scene_what_cannot_be_is_told_by_what_was_given(quantity, axes, tol
     scene = Scene(mass=0.1, sampling_period=1e-3)
     with pytest.raises(ValueError, match=told.replace("+", r"\+")):
         sweep(quantity, scene, **axes)
+
+
+def test_limits_over_the_damping_are_those_of_the_scene():
+    """The K-B chart of a device, and of several delays."""
+    device = Scene(mass=0.1, damping=0.5, sampling_period=1e-3, delay=1.5e-3)
+    B = np.array([0.0, 5.0, 50.0, 500.0])
+    chart = sweep("limit_at", device, B=B)
+    limits = device.limit_at(B)
+    assert chart.K.attrs["units"] == "N/m"
+    assert chart.K.values == pytest.approx(limits.K, nan_ok=True)
+    assert chart.frequency_hz.values == pytest.approx(limits.frequency_hz, nan_ok=True)
+    assert chart.equals(sweep("max_stable_stiffness", device, B=["0 Ns/m", "5 Ns/m", 50.0, 500.0]))
+    several = sweep("limit_at", device, B=B, delay=["0 ms", "1.5 ms"])
+    assert several.K.sel(delay=1.5e-3).values == pytest.approx(chart.K.values, nan_ok=True)
+    plain = sweep("max_stable_stiffness", beta=[0.4, 1.0], gamma=0.0, delta=0.0, delay=0)
+    assert plain.alpha.values == pytest.approx([2 * b * (2 - b) / (2 + b) for b in (0.4, 1.0)])
+
+
+def test_a_rotary_scene_is_swept_in_its_units(tmp_path):
+    knob = Scene(inertia=1e-4, damping=2e-3, sampling_period=1e-3)
+    line = Scene(mass=1e-4, damping=2e-3, sampling_period=1e-3)
+    found = sweep(
+        "max_stable_stiffness", knob, inertia=["1 g cm^2", "1e-4 kg m^2"], delay=[0, 1e-3]
+    )
+    alike = sweep("max_stable_stiffness", line, mass=[1e-7, 1e-4], delay=[0, 1e-3])
+    assert found.K.values.tolist() == alike.K.values.tolist()
+    assert (found.K.attrs["units"], found.B.attrs["units"]) == ("N m/rad", "N m s/rad")
+    assert found.inertia.attrs["units"] == "kg m^2"
+    held = knob.held_by(Arm(inertia=1e-4))
+    walls = sweep("is_stable", held, K=["0.5 N m/turn", "1 N m/deg"], B="1 mN m s/deg")
+    assert walls.is_stable.values.tolist() == [
+        bool(held.is_stable(K, "1 mN m s/deg")) for K in ("0.5 N m/turn", "1 N m/deg")
+    ]
+    stored = sweep("passivity_margin", knob, K=[0.1, 1.0], B=0.0, to=tmp_path / "knob.parquet")
+    assert stored.passivity_margin.attrs["units"] == "N m s/rad"
+    with pytest.raises(ValueError, match="mass: is not allowed; "):
+        sweep("limit_at", knob, B=[0.0], mass=[1.0])
+    with pytest.raises(ValueError, match="K: '1 N/m' is not allowed; give a number and a unit"):
+        sweep("is_stable", knob, K="1 N/m", B=0.0)

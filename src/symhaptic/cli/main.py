@@ -20,6 +20,7 @@ import typer
 from symhaptic.cli import (  # noqa: F401 - each registers its commands
     checking,
     computing,
+    controller,
     deciding,
     limits,
     mutating,

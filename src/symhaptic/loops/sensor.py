@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from copy import copy
+from dataclasses import dataclass, field
 
-from symhaptic.notation.quantities import number
+from symhaptic.notation.quantities import number_in
 
 
 def quantisation_limit(resolution: float, friction: float) -> float:
@@ -15,12 +16,12 @@ def quantisation_limit(resolution: float, friction: float) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class Encoder:
-    """A sensor that tells the position in steps.
+    """A sensor that reports the position in steps, to the nearest of which it is rounded.
 
     Parameters
     ----------
     resolution : float or str
-        Delta in m, > 0: one step, in which the position is rounded.
+        Delta in m, or in rad for a rotary device, > 0: one step.
 
     Raises
     ------
@@ -29,17 +30,35 @@ class Encoder:
 
     Examples
     --------
-    >>> Encoder(resolution=2e-5).words
+    >>> Encoder(resolution="20 um").words
     'steps of 2e-05 m'
+    >>> Encoder(resolution="0.9 deg").unit
+    'rad'
     """
 
     resolution: float
+    unit: str = field(init=False, repr=False, compare=False, default="")
+    """``"m"`` or ``"rad"`` if the resolution was given with a unit, or nothing."""
 
     def __post_init__(self) -> None:
-        value = number("resolution", self.resolution, "m", "> 0")
+        value, unit = number_in("resolution", self.resolution, ("m", "rad"), "> 0")
         object.__setattr__(self, "resolution", value)
+        object.__setattr__(self, "unit", unit)
+
+    def fitting(self, unit: str) -> Encoder:
+        """The encoder of a device that moves in m or rad.
+
+        Raises :class:`ValueError` if the resolution was given in the other unit.
+        """
+        if self.unit not in ("", unit):
+            raise ValueError(
+                f"encoder: a resolution in {self.unit} is not allowed for this device; give {unit}"
+            )
+        found = copy(self)
+        object.__setattr__(found, "unit", unit)
+        return found
 
     @property
     def words(self) -> str:
         """What a person reads of it."""
-        return f"steps of {self.resolution:g} m"
+        return f"steps of {self.resolution:g} {self.unit or 'm'}"

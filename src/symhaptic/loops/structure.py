@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from copy import copy
+from dataclasses import dataclass, field
 
 from symhaptic.loops.number import Number
 from symhaptic.loops.plant import Plant
-from symhaptic.notation.quantities import number, shown
+from symhaptic.notation.quantities import number_in, shown
 
 SENSORS = ("motor", "handle")
+
+_UNITS = {
+    "mass": ("kg", "kg*m**2", "> 0"),
+    "stiffness": ("N/m", "N*m/rad", "> 0"),
+    "damping": ("N*s/m", "N*m*s/rad", ">= 0"),
+}
+
+_WORDS = ("kg", "N/m", "Ns/m"), ("kg m^2", "N m/rad", "N m s/rad")
 
 
 def coupled(plant: Plant, mass: Number, stiffness: Number, damping: Number, at: str) -> Plant:
@@ -40,11 +49,12 @@ class SecondMass:
     Parameters
     ----------
     mass : float or str
-        The second mass in kg, > 0; the device's own is that of the motor's side.
+        The second mass in kg, > 0, or moment of inertia in kg m^2 of a rotary device.  The
+        device's own is that of the motor's side.
     stiffness : float or str
-        Of the spring between both, in N/m, > 0.
+        Of the spring between both, in N/m or N m/rad, > 0.
     damping : float or str
-        Of the damper between both, in Ns/m, >= 0.
+        Of the damper between both, in Ns/m or N m s/rad, >= 0.
     sensor : str
         ``"motor"``, where the force acts, or ``"handle"``, the second mass.
 
@@ -63,13 +73,23 @@ class SecondMass:
     stiffness: float
     damping: float = 0.0
     sensor: str = "motor"
+    rotary: bool | None = field(init=False, repr=False, compare=False, default=None)
+    """Whether the units were those of a rotation, or ``None`` for plain numbers."""
 
     def __post_init__(self) -> None:
-        sizes = {"mass": ("kg", "> 0"), "stiffness": ("N/m", "> 0"), "damping": ("N*s/m", ">= 0")}
-        for name, (unit, least) in sizes.items():
-            object.__setattr__(self, name, number(name, getattr(self, name), unit, least))
+        given = {}
+        for name, (*units, least) in _UNITS.items():
+            value, given[name] = number_in(name, getattr(self, name), (units[0], units[1]), least)
+            object.__setattr__(self, name, value)
+        kinds = {_UNITS[name].index(unit) for name, unit in given.items() if unit}
+        if len(kinds) > 1:
+            said = ", ".join(f"{name} in {unit}" for name, unit in given.items() if unit)
+            raise ValueError(f"mass: {said} is not allowed; give all along a line or of a rotation")
+        object.__setattr__(self, "rotary", bool(kinds.pop()) if kinds else None)
         if self.sensor not in SENSORS:
-            raise ValueError(f"sensor: {shown(self.sensor)} is not allowed; give 'motor' or 'handle'")
+            raise ValueError(
+                f"sensor: {shown(self.sensor)} is not allowed; give 'motor' or 'handle'"
+            )
 
     def before(self, plant: Plant, mass: float, period: float) -> Plant:
         """The plant with this mass at it."""
@@ -84,7 +104,22 @@ class SecondMass:
     @property
     def words(self) -> str:
         """What a person reads of it."""
+        mass, stiffness, damping = _WORDS[bool(self.rotary)]
         return (
-            f"{self.mass:g} kg behind {self.stiffness:g} N/m and {self.damping:g} Ns/m, "
-            f"sensor at the {self.sensor}"
+            f"{self.mass:g} {mass} behind {self.stiffness:g} {stiffness} and "
+            f"{self.damping:g} {damping}, sensor at the {self.sensor}"
         )
+
+    def fitting(self, rotary: bool) -> SecondMass:
+        """The second mass of a device that moves along a line, or of one that turns.
+
+        Raises :class:`ValueError` if its units were those of the other one.
+        """
+        if self.rotary not in (None, rotary):
+            raise ValueError(
+                f"structure: of {self.words} is not allowed for this device; give "
+                f"{', '.join(_WORDS[rotary])}"
+            )
+        found = copy(self)
+        object.__setattr__(found, "rotary", rotary)
+        return found

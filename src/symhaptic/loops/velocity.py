@@ -71,8 +71,10 @@ def average(samples: int) -> Ratio:
 class Velocity:
     """What a wall takes for the velocity; the base of the parts in this file."""
 
-    samples: int = 0
-    """Of a difference over many samples, how many."""
+    @property
+    def over(self) -> int:
+        """Of a difference over many samples, how many; 0 of others."""
+        return 0
 
     def ratio(self, period: float) -> Ratio:
         """V(z) for a sampling period in s."""
@@ -89,10 +91,12 @@ class Difference(Velocity):
     """(x_k - x_(k-1))/T, as in the paper."""
 
     def ratio(self, period: float) -> Ratio:
+        """V(z) for a sampling period in s."""
         return DIFFERENCE
 
     @property
     def words(self) -> str:
+        """What a person reads of it."""
         return "difference of two samples"
 
 
@@ -194,21 +198,23 @@ class LowPass(Velocity):
         return tau / (1 + tau)
 
     def ratio(self, period: float) -> Ratio:
+        """V(z) for a sampling period in s."""
         tau = self.tau(period)
         if self.order == 2:
             make = bilinear_second_order if self.mapping == "Tustin" else backward_second_order
-            above, below = make(tau, self.damping_ratio)
+            filtered = make(tau, self.damping_ratio)
         elif self.mapping == "Tustin":
-            above, below = bilinear(tau)
+            filtered = bilinear(tau)
         else:  # the filter's z cancels the z of the difference
             new = -math.expm1(-1 / tau) if self.mapping == "exact pole" and tau else 1 / (1 + tau)
             return Ratio((0, new), (new, 1))
         if self.mapping == "backward Euler":  # z^2 over z: one z is left
-            return Ratio((0, 1, 1), below)
-        return DIFFERENCE.times(Ratio(above, below))
+            return Ratio((0, 1, 1), filtered.denominator)
+        return DIFFERENCE.times(filtered)
 
     @property
     def words(self) -> str:
+        """What a person reads of it."""
         value, unit = next(
             (v, u)
             for v, u in ((self.cutoff, "Hz"), (self.time_constant, "s"), (self.weight, ""))
@@ -241,11 +247,18 @@ class Window(Velocity):
     def __post_init__(self) -> None:
         _count("samples", self.samples)
 
+    @property
+    def over(self) -> int:
+        """How many samples."""
+        return self.samples
+
     def ratio(self, period: float) -> Ratio:
+        """V(z) for a sampling period in s."""
         return DIFFERENCE.times(average(self.samples))
 
     @property
     def words(self) -> str:
+        """What a person reads of it."""
         return f"difference over {self.samples} samples"
 
 
@@ -258,6 +271,7 @@ class Average(Window):
 
     @property
     def words(self) -> str:
+        """What a person reads of it."""
         return f"mean of {self.samples} differences"
 
 
@@ -286,7 +300,9 @@ class Filter(Velocity):
         for name in ("numerator", "denominator"):
             given = getattr(self, name)
             if isinstance(given, str) or not 1 <= len(given) <= _TERMS:
-                raise ValueError(f"{name}: {shown(given)} is not allowed; give 1 to {_TERMS} numbers")
+                raise ValueError(
+                    f"{name}: {shown(given)} is not allowed; give 1 to {_TERMS} numbers"
+                )
             object.__setattr__(self, name, tuple(number(name, each, "") for each in given))
         if self.denominator[0] == 0:
             raise ValueError("denominator: 0 as the first is not allowed; give the factor of v_k")
@@ -302,12 +318,14 @@ class Filter(Velocity):
             )
 
     def ratio(self, period: float) -> Ratio:
+        """V(z) for a sampling period in s."""
         more = len(self.numerator) - len(self.denominator)
         above = _of_delays(self.numerator, max(0, -more))
         return DIFFERENCE.times(Ratio(above, _of_delays(self.denominator, 0), max(0, more)))
 
     @property
     def words(self) -> str:
+        """What a person reads of it."""
         return f"difference behind the filter {list(self.numerator)}/{list(self.denominator)}"
 
 
@@ -329,4 +347,5 @@ class Measured(Velocity):
 
     @property
     def words(self) -> str:
+        """What a person reads of it."""
         return "measured, not differenced"

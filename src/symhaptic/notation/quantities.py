@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+import re
 from fractions import Fraction
 from numbers import Rational, Real
 from typing import Any
 
+from symhaptic.notation import units
+
 
 def number(name: str, value: Any, unit: str, least: str = "") -> float:
-    """The value in ``unit`` as a float64; a quantity of Pint's is converted.
+    """The value in ``unit`` as a float64; text with a unit and quantities of Pint are converted.
 
     Raises :class:`ValueError` for what is no finite number, or less than ``least`` says
     (``">= 0"``, ``"> 0"`` or nothing), and for units that cannot be converted.
@@ -35,6 +38,23 @@ def _float64(value: Any) -> float:
         return math.inf
 
 
+def number_in(name: str, value: Any, units: tuple[str, str], least: str = "") -> tuple[float, str]:
+    """The value in the one of two units in which it is given, and which one that is.
+
+    The unit is ``""`` for a plain number, which fits both.
+    """
+    found = {}
+    for unit in units:
+        try:
+            found[unit] = number(name, value, unit, least)
+        except ValueError:
+            continue
+    if not found:
+        number(name, value, units[0], least)
+    unit, size = next(iter(found.items()))
+    return size, unit if len(found) == 1 else ""
+
+
 def _converted(name: str, quantity: Any, unit: str) -> Any:
     """Its number in ``unit``, or where ``unit`` is none, that of a quantity without dimension."""
     registry = quantity._REGISTRY
@@ -42,16 +62,41 @@ def _converted(name: str, quantity: Any, unit: str) -> Any:
     if not quantity.is_compatible_with(wanted):
         allowed = f"what converts to {unit}" if unit else "a number without dimension"
         raise ValueError(f"{name}: {shown(quantity)} is not allowed; give {allowed}")
-    if unit == "Hz" and "radian" in dict(quantity.to_root_units().unit_items()):
-        raise ValueError(  # Pint's radian is 1, so that it takes 1 rad/s for 1 Hz
-            f"{name}: {shown(quantity)} is not allowed; give a frequency in Hz without an angle: "
-            "2 pi rad/s are 1 Hz"
-        )
+    root = registry.Quantity(1, quantity.units).to_root_units()
+    angle = dict(root.unit_items()).get("radian", 0)
+    if unit and not units.angle_fits(angle, unit):
+        raise ValueError(f"{name}: {shown(quantity)} is not allowed; {units.other_angle(unit)}")
     return quantity.to(wanted).magnitude
 
 
+_NUMBER = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)(.*)", re.DOTALL)
+
+_LONGEST = 5000
+"""Characters of a number that are read; a whole number of more digits is none for Python."""
+
+
+def _written(name: str, text: str, unit: str) -> float:
+    """The number of a text in ``unit``: the decimal as it is written times the exact factor."""
+    match = _NUMBER.fullmatch(text) if len(text) <= _LONGEST else None
+    digits, written = match.groups() if match else ("nan", text[:_LONGEST])
+    try:
+        found = units.unit(written.strip(), unit)
+    except units.UnknownUnit as wrong:
+        raise ValueError(f"{name}: {shown(text)} is not allowed; {wrong}") from None
+    size = float(digits)
+    # beyond the range of floats the exact decimal may have any number of digits
+    return nearest(Fraction(digits) * found.size) if math.isfinite(size) and size else size
+
+
 def in_unit(name: str, values: Any, unit: str) -> Any:
-    """The numbers of a quantity of Pint's in ``unit``, also inside xarray's; others as they are."""
+    """The numbers in ``unit`` of quantities of Pint, also inside xarray's arrays, and of text.
+
+    Others are returned as they are.
+    """
+    if isinstance(values, str):
+        return _written(name, values, unit)
+    if isinstance(values, list | tuple) and any(isinstance(value, str) for value in values):
+        return [in_unit(name, value, unit) for value in values]
     if _of_pint(values):
         return _converted(name, values, unit)
     if _holds_pint(values):

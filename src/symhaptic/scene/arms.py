@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeAlias
 
 from symhaptic.notation.quantities import decimal, nearest, number, shown
 from symhaptic.notation.suggest import suggested
+from symhaptic.notation.units import said
 
 if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
+
     from symhaptic.rules.devices import Device
 
-UNITS = {"mass": "kg", "damping": "N*s/m", "stiffness": "N/m"}
+UNITS = {"mass": "kg", "inertia": "kg", "damping": "N*s/m", "stiffness": "N/m"}
+ROTARY = {"kg": "kg*m**2", "N*s/m": "N*m*s/rad", "N/m": "N*m/rad", "N": "N*m", "m": "rad"}
+"""Units of motion along a line, and those of rotation that take their place."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Arm:
     """Mass-spring-damper model of the arm that holds the device, eq. (2).
 
@@ -26,16 +31,21 @@ class Arm:
     ``stiffness``  k_H           N/m    >= 0
     =============  ============  =====  ====
 
-    Numbers become float64; quantities of Pint are converted.  :meth:`of` returns an arm of Table
-    II.  Raises :class:`ValueError` for a value that is negative, infinite, NaN or of the wrong
-    dimension.
+    For a rotary device the arm has an ``inertia`` in kg m^2 instead of the mass, with ``damping``
+    in N m s/rad and ``stiffness`` in N m/rad.
+
+    Numbers become float64; text with a unit and quantities of Pint are converted.  :meth:`of`
+    returns an arm of Table II.  Raises :class:`ValueError` for a value that is negative, infinite,
+    NaN or of the wrong dimension.
 
     >>> Arm.of("Hogan")
     Arm(mass=0.8, damping=5.5, stiffness=568.0, with_device=False)
     """
 
-    mass: float
+    mass: float | None = None
     """m_H in kg, >= 0."""
+    inertia: float | None = None
+    """Moment of inertia in kg m^2, >= 0, instead of the mass."""
     damping: float = 0.0
     """b_H in Ns/m, >= 0."""
     stiffness: float = 0.0
@@ -44,8 +54,17 @@ class Arm:
     """Whether the numbers are those of an arm and its device together."""
 
     def __post_init__(self) -> None:
+        one_of("mass", self.mass, "inertia", self.inertia)
         for name, unit in UNITS.items():
-            object.__setattr__(self, name, number(name, getattr(self, name), unit, ">= 0"))
+            value = getattr(self, name)
+            if value is not None:
+                own = ROTARY[unit] if self.rotary else unit
+                object.__setattr__(self, name, number(name, value, own, ">= 0"))
+
+    @property
+    def rotary(self) -> bool:
+        """Whether the arm turns."""
+        return self.inertia is not None
 
     @classmethod
     def of(cls, name: str) -> Arm:
@@ -66,10 +85,17 @@ class Arm:
             with_device=row.with_device,
         )
 
+    def __repr__(self) -> str:
+        return without_defaults(self, "mass", "inertia")
+
     def __str__(self) -> str:
         """In words, with units."""
-        said = f"{self.mass:g} kg, {self.damping:g} Ns/m, {self.stiffness:g} N/m"
-        return f"{said}, measured with its device" if self.with_device else said
+        numbers = mass_or_inertia(self), self.damping, self.stiffness
+        words = ", ".join(
+            f"{value:g} {said(ROTARY[unit] if self.rotary else unit)}"
+            for value, unit in zip(numbers, ("kg", "N*s/m", "N/m"), strict=True)
+        )
+        return f"{words}, measured with its device" if self.with_device else words
 
     @staticmethod
     def names() -> list[str]:
@@ -83,28 +109,66 @@ class Arm:
         return [row.authors for row in TABLE_II]
 
 
-def checked(arm: Any) -> Arm:
-    """The argument, which has to be an :class:`Arm`."""
+def checked(arm: Any, rotary: bool) -> Arm:
+    """The argument, which has to be an :class:`Arm` that turns or moves as the device does."""
     if not isinstance(arm, Arm):
         raise ValueError(f"arm: {shown(arm)} is not allowed; give an Arm")
+    if arm.rotary != rotary:
+        allowed = "Arm(inertia=...) for a rotary device" if rotary else "Arm(mass=...)"
+        raise ValueError(f"arm: {shown(arm)} is not allowed; give {allowed}")
     return arm
+
+
+def one_of(name: str, value: Any, other: str, instead: Any) -> None:
+    """Raise :class:`ValueError` unless exactly one of two arguments is given."""
+    if value is None and instead is None:
+        raise ValueError(f"{name}: is missing; give {name} or {other}")
+    if value is not None and instead is not None:
+        given = f"{shown(instead)} beside {name}={shown(value)}"
+        raise ValueError(f"{other}: {given} is not allowed; give one of them")
+
+
+def without_defaults(part: DataclassInstance, *names: str) -> str:
+    """As a dataclass is shown, without the fields of these names that have their defaults."""
+    values = ((field, getattr(part, field.name)) for field in fields(part))
+    given = (
+        f"{field.name}={value!r}"
+        for field, value in values
+        if field.name not in names or value != field.default
+    )
+    return f"{type(part).__qualname__}({', '.join(given)})"
+
+
+class _Moved(Protocol):
+    """A device or an arm."""
+
+    @property
+    def mass(self) -> float | None: ...
+    @property
+    def inertia(self) -> float | None: ...
+
+
+def mass_or_inertia(of: _Moved) -> float:
+    """The mass, or the moment of inertia of what turns."""
+    return next(value for value in (of.mass, of.inertia) if value is not None)
 
 
 class Coupled(NamedTuple):
     """Device and arm together, (2): the sums of their masses, dampings and stiffnesses."""
 
     mass: float
-    """m in kg."""
+    """m in kg; of a rotary device the moment of inertia in kg m^2."""
     damping: float | None
-    """b in Ns/m; ``None`` if neither has a damper."""
+    """b in Ns/m or N m s/rad; ``None`` if neither has a damper."""
     stiffness: float | None
-    """k in N/m; ``None`` if neither has a spring."""
+    """k in N/m or N m/rad; ``None`` if neither has a spring."""
 
 
 def added(arm: Arm, name: str, own: float | None) -> float:
     """The device's ``own`` mass, damping or stiffness and the arm's, summed as decimals."""
     of_device = Fraction(0) if arm.with_device else decimal(own or 0)
-    return nearest(decimal(getattr(arm, name)) + of_device)
+    of_arm = mass_or_inertia(arm) if name == "mass" else getattr(arm, name)
+    return nearest(decimal(of_arm) + of_device)
 
 
 Range: TypeAlias = float | tuple[float, float]
@@ -114,7 +178,7 @@ _HEAVIEST = 23.0
 """kg: the heaviest arm of Table II and 30 % more, as (23) extends the others."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class ArmRange:
     """Range of arms: a number, or (lowest, highest), for each parameter.
 
@@ -128,14 +192,17 @@ class ArmRange:
 
     The default is the range (23): delta <= 0.02 and gamma <= 0.001 at 1 kHz mean
     k_H/m_H <= 1000/s^2 and b_H/m_H <= 20/s at any rate.  ``damping`` or ``stiffness`` replaces the
-    range per mass.  Mass 0 means no arm.  Raises :class:`ValueError` for a value that is negative,
+    range per mass.  Mass 0 means no arm.  For a rotary device give ``inertia`` in kg m^2 instead of
+    ``mass``, with ``damping`` in N m s/rad and ``stiffness`` in N m/rad; ranges per mass are then
+    per moment of inertia.  Raises :class:`ValueError` for a value that is negative,
     infinite or in the wrong order, and for two ranges of one parameter.
 
     >>> ArmRange(mass=(0.5, 2), damping=6, stiffness=(0, 600)).hands
     ((0.5, 2.0), (6.0, 6.0), (0.0, 600.0))
     """
 
-    mass: Range = (0.0, _HEAVIEST)
+    mass: Range | None = None
+    inertia: Range | None = None
     damping: Range | None = None
     stiffness: Range | None = None
     damping_per_mass: Range | None = None
@@ -149,10 +216,19 @@ class ArmRange:
                 raise ValueError(f"{per}: {both[1]!r} beside {part}={both[0]!r} is not allowed")
             elif all(given is None for given in both):
                 object.__setattr__(self, per, default)
+        if self.mass is None and self.inertia is None:
+            object.__setattr__(self, "mass", (0.0, _HEAVIEST))
+        one_of("mass", self.mass, "inertia", self.inertia)
         for name, unit in _RANGED.items():
             value = getattr(self, name)
-            if value is not None or name == "mass":
-                object.__setattr__(self, name, _ends(name, value, unit))
+            if value is not None:
+                own = ROTARY.get(unit, unit) if self.rotary else unit
+                object.__setattr__(self, name, _ends(name, value, own))
+
+    @property
+    def rotary(self) -> bool:
+        """Whether the arms turn."""
+        return self.inertia is not None
 
     @classmethod
     def around(cls, arms: Iterable[Arm]) -> ArmRange:
@@ -168,11 +244,17 @@ class ArmRange:
             raise ValueError(
                 "arms: one that was measured with its device is not allowed in a range"
             )
+        if len({arm.rotary for arm in some}) > 1:
+            raise ValueError("arms: one with a mass beside one with an inertia is not allowed")
+        names = ("inertia" if some[0].rotary else "mass", "damping", "stiffness")
         ends = {
             name: (min(getattr(a, name) for a in some), max(getattr(a, name) for a in some))
-            for name in UNITS
+            for name in names
         }
         return cls(**ends)
+
+    def __repr__(self) -> str:
+        return without_defaults(self, "mass", "inertia")
 
     @property
     def by_mass(self) -> tuple[bool, bool]:
@@ -184,21 +266,33 @@ class ArmRange:
         """Ranges of mass, damping and stiffness; the last two per mass if ``by_mass``."""
         damping = self.damping_per_mass if self.damping is None else self.damping
         stiffness = self.stiffness_per_mass if self.stiffness is None else self.stiffness
-        return self.mass, damping, stiffness  # type: ignore[return-value]
+        mass = self.mass if self.inertia is None else self.inertia
+        return mass, damping, stiffness  # type: ignore[return-value]
 
     def __str__(self) -> str:
         """In words, with units."""
-        units = zip(self.hands, ("kg", "Ns/m", "N/m"), (False, *self.by_mass), strict=True)
+        own = ROTARY if self.rotary else {}
+        units = (said(own.get(unit, unit)) for unit in ("kg", "N*s/m", "N/m"))
+        per = f" per {said(ROTARY['kg'] if self.rotary else 'kg')}"
         return ", ".join(
             (f"{low:g}" if low == high else f"{low:g} to {high:g}")
             + f" {unit}"
-            + (" per kg" if by else "")
-            for (low, high), unit, by in units
+            + (per if by else "")
+            for (low, high), unit, by in zip(self.hands, units, (False, *self.by_mass), strict=True)
         )
+
+
+def checked_range(arms: ArmRange, rotary: bool) -> ArmRange:
+    """The range, which has to be of arms that turn or move as the device does."""
+    if arms.rotary != rotary:
+        name, other = ("inertia", "mass") if rotary else ("mass", "inertia")
+        raise ValueError(f"{name}: is missing; the device has the {name}, and the arms the {other}")
+    return arms
 
 
 _RANGED = {
     "mass": "kg",
+    "inertia": "kg",
     "damping": "N*s/m",
     "stiffness": "N/m",
     "damping_per_mass": "1/s",

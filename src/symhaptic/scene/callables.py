@@ -157,6 +157,7 @@ def _parts(scene: Scene | Parts | str | None) -> Parts:
     if scene is None or isinstance(scene, Parts):
         return scene or FULL
     if isinstance(scene, Scene):
+        scene.refuse_further("a formula of the paper's loop")
         return scene.parts
     if not isinstance(scene, str):
         raise TypeError(f"scene: {scene!r} is not allowed; give a Scene or words as 'no-delay'")

@@ -2,50 +2,63 @@
 
 from __future__ import annotations
 
-import math
 import re
 import tomllib
-from dataclasses import dataclass
+from dataclasses import MISSING, dataclass, fields
 from pathlib import Path
 from typing import Any
 
-from symhaptic.notation.quantities import decimal, nearest
-from symhaptic.notation.quantities import number as finite
+from symhaptic.loops.actuator import Lag
+from symhaptic.loops.sensor import Encoder
+from symhaptic.loops.structure import SecondMass
+from symhaptic.loops.velocity import Average, Difference, Filter, LowPass, Measured, Window
+from symhaptic.notation.quantities import number
 from symhaptic.notation.suggest import suggested
-from symhaptic.scene.arms import Arm, ArmRange
+from symhaptic.scene.arms import Arm, ArmRange, checked_range
 from symhaptic.scene.arms import device as published
 from symhaptic.scene.scene import Scene
 
-UNITS: dict[str, dict[str, float]] = {
-    "kg": {"kg": 1.0, "g": 1e-3},
-    "Ns/m": {"Ns/m": 1.0, "N s/m": 1.0, "Ns/mm": 1e3, "mNs/m": 1e-3},
-    "N/m": {"N/m": 1.0, "N/mm": 1e3, "kN/m": 1e3},
-    "s": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "\u00b5s": 1e-6, "\u03bcs": 1e-6},
-    "1/s": {"1/s": 1.0, "Ns/m/kg": 1.0},
-    "1/s^2": {"1/s^2": 1.0, "1/s²": 1.0, "N/m/kg": 1.0},
-    "": {"": 1.0},
+MOVED = "mass", "inertia", "damping", "stiffness"
+SCHEMA = {
+    "": (
+        *(*MOVED, "sampling_period", "sampling_rate"),
+        *("delay", "delay_samples", "coulomb_friction", "virtual_mass", "integrator"),
+    ),
+    "arm": (*MOVED, "with_device"),
+    "arms": (*MOVED, "damping_per_mass", "stiffness_per_mass"),
+    "wall": ("K", "B"),
 }
-"""Spellings of each SI unit, and what they are in it; of mu there are two, which look the same."""
+PARTS: dict[str, dict[str, type]] = {
+    "velocity": {
+        "low-pass": LowPass,
+        "average": Average,
+        "window": Window,
+        "filter": Filter,
+        "difference": Difference,
+        "measured": Measured,
+    },
+    "actuator": {"": Lag},
+    "structure": {"": SecondMass},
+    "encoder": {"": Encoder},
+}
+"""Tables of parts; where there are several kinds, ``kind`` tells which, by default the first."""
 
-MOVED = {"mass": "kg", "damping": "Ns/m", "stiffness": "N/m"}
-SCHEMA: dict[str, dict[str, str]] = {
-    "": {**MOVED, "sampling_period": "s", "delay": "s", "delay_samples": ""},
-    "arm": {**MOVED, "with_device": "true or false"},
-    "arms": {**MOVED, "damping_per_mass": "1/s", "stiffness_per_mass": "1/s^2"},
-    "wall": {"K": "N/m", "B": "Ns/m"},
+SCHEMA |= {
+    table: tuple(
+        dict.fromkeys(
+            [*(["kind"] if len(kinds) > 1 else [])]
+            + [each.name for kind in kinds.values() for each in fields(kind) if each.init]
+        )
+    )
+    for table, kinds in PARTS.items()
 }
-"""Keys of each table with their units; those of the device and its loop stand at the top."""
+"""Keys of each table; those of the device and its loop stand at the top."""
 
 NAMED = {"": "device", "arm": "name"}
 """The key of a table that names a published device, or a row of Table II."""
 
-RANGED = "arms"
-"""The table whose numbers may be pairs, the lowest and the highest."""
-
 _LARGEST = 2**20
 """Characters of a device file; ``/dev/full`` and the like have no end."""
-
-_NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
 
 
 class BadDevice(ValueError):
@@ -91,37 +104,43 @@ def read(path: Path) -> Device:
                 raise BadDevice(f"{_place(path, text, '', name)} is no table; {told}")
             tables[name] = table
     names = {name: tables.get(name, {}).pop(key, None) for name, key in NAMED.items()}
-    found: dict[str, dict[str, Any]] = {
-        name: {key: _given(path, text, name, key, given) for key, given in table.items()}
-        for name, table in tables.items()
-    }
-    device, arm, ranged, wall = (found.get(name, {}) for name in SCHEMA)
-    if "wall" in tables and wall.keys() != SCHEMA["wall"].keys():
+    for name, table in tables.items():
+        for key, given in table.items():
+            _check(path, text, name, key, given)
+    device, arm, ranged, wall = (tables.get(name, {}) for name in ("", "arm", "arms", "wall"))
+    if "wall" in tables and wall.keys() != {*SCHEMA["wall"]}:
         raise BadDevice(f"{path}: [wall] needs K and B")
     if names.get("arm") is not None and arm:
         place = _place(path, text, "arm", next(iter(arm)))
         raise BadDevice(f"{place} beside name is not allowed; give one of them")
-    table = ""
+    here = ""
     try:
         known = device if names[""] is None else {**_published(names[""]), **device}
-        for key in ("mass", "sampling_period"):
-            if key not in known:
+        for key, instead in (("mass", "inertia"), ("sampling_period", "sampling_rate")):
+            if key not in known and instead not in known:
                 raise BadDevice(f"{path}: {key} is missing, such as {key} = {_EXAMPLES[key]}")
+        for here in PARTS:
+            if here in tables:
+                known = {**known, here: _part(path, text, here, tables[here])}
+        here = ""
         scene = Scene(**known)
-        _, table = scene.dimensionless, "arm"
+        moved = "inertia" if scene.rotary else "mass"
+        _, here = scene.dimensionless, "arm"
         if "arm" in tables:
             named = names.get("arm")
-            scene = scene.held_by(Arm(**{"mass": 0.0, **arm}) if named is None else Arm.of(named))
-        _, table = scene.dimensionless, RANGED
-        arms, table = ArmRange(**ranged) if RANGED in tables else None, "wall"
-        for key, value in wall.items():
-            finite(key, value, SCHEMA[table][key])
+            arm = arm if {"mass", "inertia"} & arm.keys() else {moved: 0.0, **arm}
+            scene = scene.held_by(Arm(**arm) if named is None else Arm.of(named))
+        _, here = scene.dimensionless, "arms"
+        arms = checked_range(ArmRange(**ranged), scene.rotary) if "arms" in tables else None
+        here = "wall"
+        units = {"K": scene.unit("N/m"), "B": scene.unit("N*s/m")}
+        numbers = {key: number(key, value, units[key]) for key, value in wall.items()}
     except BadDevice:
         raise
     except ValueError as wrong:
         key, _, said = str(wrong).partition(":")
-        raise BadDevice(f"{_place(path, text, table, key)}:{said}") from None
-    return Device(scene, (wall["K"], wall["B"]) if wall else None, arms)
+        raise BadDevice(f"{_place(path, text, here, key)}:{said}") from None
+    return Device(scene, (numbers["K"], numbers["B"]) if numbers else None, arms)
 
 
 def _published(name: Any) -> dict[str, float]:
@@ -131,52 +150,47 @@ def _published(name: Any) -> dict[str, float]:
     return {key: float(value) for key, value in numbers if value is not None}
 
 
-def _given(path: Path, text: str, table: str, key: str, given: Any) -> Any:
-    """A number, or in a table of ranges a pair."""
-    if table == RANGED and isinstance(given, list):
-        if len(given) != 2:
-            place = _place(path, text, table, key)
-            raise BadDevice(f"{place} = {given!r} is not allowed; give one number or two")
-        return tuple(_value(path, text, table, key, end) for end in given)
-    return _value(path, text, table, key, given)
+def _part(path: Path, text: str, table: str, given: dict[str, Any]) -> Any:
+    """A part of the loop; it checks its numbers itself."""
+    kinds = PARTS[table]
+    name = given.pop("kind", next(iter(kinds)))
+    if not isinstance(name, str) or name not in kinds:
+        place, allowed = _place(path, text, table, "kind"), ", ".join(map(repr, kinds))
+        raise BadDevice(f"{place} = {name!r} is not allowed; give one of {allowed}")
+    wanted = {each.name: each.default is MISSING for each in fields(kinds[name]) if each.init}
+    for key in given.keys() - wanted.keys():
+        place = _place(path, text, table, key)
+        raise BadDevice(f"{place} is not allowed for kind = {name!r}; leave it out")
+    for key, needed in wanted.items():
+        if needed and key not in given:
+            raise BadDevice(f"{path}: [{table}] needs {key}")
+    return kinds[name](**given)
 
 
 _EXAMPLES = {"mass": '"72 g"', "sampling_period": '"1 ms"'}
 
 
-def _value(path: Path, text: str, table: str, key: str, given: Any) -> float:
-    """A number in SI units, the decimal that it is written as."""
+def _check(path: Path, text: str, table: str, key: str, given: Any) -> None:
+    """Refuse a key that its table has not; numbers are checked where they are used."""
     known = SCHEMA[table]
     if not table and key and key in SCHEMA:
         raise BadDevice(f"{_place(path, text, table, key)} is not allowed; give a table [{key}]")
     if key not in known:
         named = [*known, *([NAMED[table]] if table in NAMED else [])]
         raise BadDevice(f"{_place(path, text, table, key)} is not known; {suggested(key, named)}")
-    unit = known[key]
-    if unit == "true or false":
-        if not isinstance(given, bool):
-            place = _place(path, text, table, key)
-            raise BadDevice(f"{place} = {given!r} is not allowed; give true or false")
-        return given
-    if isinstance(given, int | float) and not isinstance(given, bool):
-        return float(str(given))  # a whole number that is no float is infinite, as in text
-    allowed = f"a number and one of {', '.join(UNITS[unit])}" if unit else "a number without unit"
-    match = _NUMBER.fullmatch(given) if isinstance(given, str) else None
-    if match is None or match[2] not in UNITS[unit]:
+    if key == "with_device" and not isinstance(given, bool):
         place = _place(path, text, table, key)
-        raise BadDevice(f"{place} = {given!r} is not allowed; give {allowed}")
-    size, factor = float(match[1]), UNITS[unit][match[2]]
-    return nearest(decimal(size) * decimal(factor)) if math.isfinite(size) else size
+        raise BadDevice(f"{place} = {given!r} is not allowed; give true or false")
 
 
 def _place(path: Path, text: str, table: str, key: str) -> str:
     """The line in which a key stands, as far as it is found, and the key."""
     here = ""
-    for number, line in enumerate(text.splitlines(), 1):
+    for at, line in enumerate(text.splitlines(), 1):
         if head := re.match(r"\s*\[\s*([\w-]+)\s*\]", line):
             here = head[1]
             if not table and here == key:
-                return f"{path}:{number}: [{key}]"
+                return f"{path}:{at}: [{key}]"
         elif here == table and re.match(rf"\s*[\"']?{re.escape(key)}[\"']?\s*=", line):
-            return f"{path}:{number}: {key}"
+            return f"{path}:{at}: {key}"
     return f"{path}: {key}"

@@ -9,18 +9,18 @@ class Limit(NamedTuple):
     """A wall on the border of stability, in SI units; numbers, or arrays of them."""
 
     K: Any
-    """Virtual stiffness in N/m."""
+    """Virtual stiffness in N/m, or N m/rad of a rotary device."""
     B: Any
-    """Virtual damping in Ns/m."""
+    """Virtual damping in Ns/m, or N m s/rad."""
     frequency_hz: Any
     """The frequency in Hz at which the loop begins to swing there."""
 
 
 class Stiffness(float):
-    """A stiffness in N/m, with the damping that it needs: ``K``, ``B`` and ``frequency_hz``."""
+    """A stiffness with the damping that it needs: ``K``, ``B`` and ``frequency_hz``."""
 
     B: float
-    """Virtual damping in Ns/m."""
+    """Virtual damping in Ns/m, or N m s/rad of a rotary device."""
     frequency_hz: float
     """The frequency in Hz at which this wall is just at its limit."""
 
@@ -35,7 +35,7 @@ class Stiffness(float):
 
     @property
     def K(self) -> float:
-        """The stiffness in N/m."""
+        """The stiffness in N/m or N m/rad."""
         return float(self)
 
 

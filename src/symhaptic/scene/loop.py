@@ -8,28 +8,50 @@ from __future__ import annotations
 import copy
 import math
 import warnings
-from dataclasses import dataclass, replace
+from dataclasses import InitVar, dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
 from numbers import Real
 from typing import Any, Self, TypeVar
 
+from symhaptic.loops.actuator import Lag
+from symhaptic.loops.engine import STEPS, Engine
+from symhaptic.loops.sensor import Encoder
+from symhaptic.loops.structure import SecondMass
+from symhaptic.loops.system import LinearDevice
+from symhaptic.loops.velocity import Difference, Velocity
 from symhaptic.model.parts import Parts
 from symhaptic.notation.quantities import decimal, nearest, number, shown
 from symhaptic.notation.sizes import LARGEST, LONGEST, STIFFEST
-from symhaptic.scene.arms import UNITS as ARM_UNITS
-from symhaptic.scene.arms import Arm, Coupled, added, checked
+from symhaptic.notation.units import said
+from symhaptic.scene.arms import (
+    ROTARY,
+    Arm,
+    Coupled,
+    added,
+    checked,
+    mass_or_inertia,
+    one_of,
+    without_defaults,
+)
 from symhaptic.scene.dimensionless import Dimensionless, per_unit, units
 from symhaptic.scene.limit import Limit
 
 UNITS = {
     "mass": "kg",
+    "inertia": "kg",
     "sampling_period": "s",
     "damping": "N*s/m",
     "stiffness": "N/m",
     "delay": "s",
     "delay_samples": "",
+    "virtual_mass": "kg",
+    "coulomb_friction": "N",
 }
+"""Units for motion along a line; :meth:`DeviceLoop.unit` has those for rotation."""
+
+NOT_GIVEN: Any = None
+"""The default of a number that another one may replace."""
 
 _LONG = 100
 """A delay in s of more sampling periods than this is warned of."""
@@ -38,14 +60,18 @@ _WIDEST = 1e300
 """The largest unit of stiffness, and its inverse the smallest: beyond, no float holds a wall."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class DeviceLoop:
     """A device with its sampling period, its delay and its arm."""
 
-    mass: float
-    """m_D of the device in kg, > 0."""
-    sampling_period: float
+    mass: float | None = None
+    """m_D of the device in kg, > 0; ``None`` if it turns."""
+    inertia: float | None = None
+    """Moment of inertia of a rotary device in kg m^2, > 0, instead of the mass."""
+    sampling_period: float = NOT_GIVEN
     """T in s, > 0."""
+    sampling_rate: InitVar[float | None] = None
+    """1/T in Hz, > 0, instead of the sampling period, in which it is kept."""
     damping: float | None = None
     """b_D of the device in Ns/m, >= 0."""
     stiffness: float | None = None
@@ -56,20 +82,64 @@ class DeviceLoop:
     """d in sampling periods, >= 0, if the delay is not given in s."""
     arm: Arm | None = None
     """The arm that holds the device."""
+    dynamics: LinearDevice | None = None
+    """Any linear device, instead of mass, damping, stiffness and arm."""
+    velocity: Velocity | None = None
+    """What the wall takes for the velocity; the difference of two samples if left out."""
+    actuator: Lag | None = None
+    """What is between the command and the force."""
+    structure: SecondMass | None = None
+    """A second mass behind a spring."""
+    integrator: str = "hold"
+    """How the device moves: under held forces, or as a simulator moves it."""
+    virtual_mass: float | None = None
+    """M of the wall in kg, >= 0."""
+    encoder: Encoder | None = None
+    """The steps of the sensor."""
+    coulomb_friction: float | None = None
+    """f_c of the device in N, >= 0."""
 
-    def __post_init__(self) -> None:
+    def __post_init__(self, sampling_rate: float | None) -> None:
+        if self.dynamics is None:
+            one_of("mass", self.mass, "inertia", self.inertia)
+        one_of("sampling_period", self.sampling_period, "sampling_rate", sampling_rate)
+        if sampling_rate is not None:
+            rate = decimal(number("sampling_rate", sampling_rate, "Hz", "> 0"))
+            object.__setattr__(self, "sampling_period", nearest(1 / rate))
         for name, unit in UNITS.items():
             value = getattr(self, name)
-            least = "> 0" if name in ("mass", "sampling_period") else ">= 0"
-            if value is not None or least == "> 0":  # without these there is no loop
-                object.__setattr__(self, name, number(name, value, unit, least))
+            if value is not None:
+                least = "> 0" if name in ("mass", "inertia", "sampling_period") else ">= 0"
+                object.__setattr__(self, name, number(name, value, self.unit(unit), least))
         if self.delay is not None and self.delay_samples is not None:
             raise ValueError(
                 f"delay_samples: {self.delay_samples!r} beside delay={self.delay!r} is not "
                 "allowed; one of them is"
             )
+        for name, kind in _KINDS.items():
+            part = getattr(self, name)
+            if part is not None and not isinstance(part, kind):
+                raise ValueError(f"{name}: {shown(part)} is not allowed; give {_EXAMPLES[name]}")
+        for name in ("mass", "inertia", "damping", "stiffness", "arm", "structure"):
+            if self.dynamics is not None and getattr(self, name) is not None:
+                raise ValueError(
+                    f"{name}: {shown(getattr(self, name))} beside dynamics is not allowed; "
+                    f"the matrices say all of the device"
+                )
+        if self.structure is not None:
+            object.__setattr__(self, "structure", self.structure.fitting(self.rotary))
+        if self.encoder is not None:
+            object.__setattr__(self, "encoder", self.encoder.fitting(self.unit("m")))
+        if self.integrator not in STEPS:
+            allowed = ", ".join(map(repr, STEPS))
+            raise ValueError(f"integrator: {shown(self.integrator)} is not allowed; give {allowed}")
+        if self.integrator != "hold" and (self.actuator or self.structure or self.dynamics):
+            raise ValueError(
+                f"integrator: {self.integrator!r} beside an actuator, a structure or dynamics "
+                "is not allowed; a simulator moves one mass"
+            )
         if self.arm is not None:
-            checked(self.arm)
+            checked(self.arm, self.rotary)
             for name, value in self.coupled._asdict().items():
                 number(name, value, UNITS[name], "> 0" if name == "mass" else ">= 0")
         if self.delay is not None and self.periods > _LONG:
@@ -78,6 +148,60 @@ class DeviceLoop:
                 f"a delay of {self.delay!r} periods is delay_samples={self.delay!r}",
                 stacklevel=3,
             )
+
+    def __repr__(self) -> str:
+        return without_defaults(self, "mass", "inertia", *_FURTHER)
+
+    @property
+    def further(self) -> tuple[str, ...]:
+        """Names of the parts that the paper's loop does not have, in the order of the loop."""
+        there = {
+            "dynamics": self.dynamics is not None,
+            "velocity": self.velocity not in (None, Difference()),
+            "actuator": self.actuator is not None,
+            "structure": self.structure is not None,
+            "integrator": self.integrator != "hold",
+            "virtual_mass": bool(self.virtual_mass),
+        }
+        return tuple(name for name, is_there in there.items() if is_there)
+
+    def refuse_further(self, question: str, *without: str) -> None:
+        """Raise :class:`ValueError` if the loop has parts for which a question has no answer.
+
+        Parts in ``without`` do not matter to it.
+        """
+        for name in set(self.further) - set(without):
+            raise ValueError(
+                f"{name}: {shown(getattr(self, name))} is not allowed for {question}; "
+                f"leave out {name}"
+            )
+
+    @property
+    def engine(self) -> Engine:
+        """What answers for a loop with further parts; device and arm together."""
+        return _engine(self)
+
+    @property
+    def rotary(self) -> bool:
+        """Whether the device turns; its units are then kg m^2, N m s/rad and N m/rad."""
+        return self.inertia is not None
+
+    @property
+    def mass_or_inertia(self) -> float:
+        """The mass of the device in kg, or its moment of inertia in kg m^2; 1 of any dynamics."""
+        return 1.0 if self.dynamics is not None else mass_or_inertia(self)
+
+    def unit(self, linear: str) -> str:
+        """The unit for this device that takes the place of one for motion along a line.
+
+        >>> DeviceLoop(inertia=1e-4, sampling_period=1e-3).unit("N/m")
+        'N*m/rad'
+        """
+        return ROTARY.get(linear, linear) if self.rotary else linear
+
+    def printed(self, linear: str) -> str:
+        """The same unit as it is printed."""
+        return said(self.unit(linear))
 
     @property
     def device(self) -> Self:
@@ -92,8 +216,9 @@ class DeviceLoop:
     def coupled(self) -> Coupled:
         """Mass, damping and stiffness of device and arm together; stability uses them, (2)."""
         if self.arm is None:
-            return Coupled(self.mass, self.damping, self.stiffness)
-        return Coupled(*(added(self.arm, name, getattr(self, name)) for name in ARM_UNITS))
+            return Coupled(self.mass_or_inertia, self.damping, self.stiffness)
+        own = Coupled(self.mass_or_inertia, self.damping, self.stiffness)
+        return Coupled(*(added(self.arm, name, part) for name, part in own._asdict().items()))
 
     @property
     def parts(self) -> Parts:
@@ -112,9 +237,11 @@ class DeviceLoop:
             return decimal(self.delay_samples)
         delay, period = self.delay or 0.0, self.sampling_period
         exact = decimal(delay) / decimal(period)
-        # 3 * 1e-4 is not the number that 3e-4 is, but it is what three periods are in floats
-        whole = Fraction(round(exact))
-        return whole if nearest(whole) * period == delay else exact
+        # 3 * 1e-4 is not the number that 3e-4 is, but it is what three periods are in floats; nor
+        # is a period of 1/3000 s exact, of which 7/3000 s are seven
+        whole, rate = Fraction(round(exact)), round(1 / decimal(period))
+        of_rate = rate and period == nearest(Fraction(1, rate)) and delay == nearest(whole / rate)
+        return whole if of_rate or nearest(whole) * period == delay else exact
 
     @property
     def dimensionless(self) -> Dimensionless:
@@ -133,7 +260,8 @@ class DeviceLoop:
     def limit(self, alpha: Any, beta: Any, theta: Any) -> Limit:
         """K = alpha m/T^2 in N/m, B = beta m/T in Ns/m, f = theta/(2 pi T) in Hz.
 
-        m is the mass of device and arm together.
+        m is the mass of device and arm together, or for a rotary device the moment of inertia; K
+        and B are then in N m/rad and N m s/rad.
 
         Raises
         ------
@@ -166,10 +294,12 @@ AnyLoop = TypeVar("AnyLoop", bound=DeviceLoop)
 def _dimensionless(loop: DeviceLoop) -> Dimensionless:
     moved = loop.coupled
     period, mass = decimal(loop.sampling_period), decimal(moved.mass)
+    heavy = f"{'inertia' if loop.rotary else 'mass'}={moved.mass!r}"
     if not all(1 / _WIDEST <= size <= _WIDEST for size in (period**2, mass / period**2)):
         raise ValueError(
-            f"sampling_period: {loop.sampling_period!r} with mass={moved.mass!r} is not allowed; "
-            f"give T^2 and m/T^2 from {1 / _WIDEST:g} to {_WIDEST:g}, in s^2 and N/m"
+            f"sampling_period: {loop.sampling_period!r} with {heavy} is not allowed; "
+            f"give T^2 and m/T^2 from {1 / _WIDEST:g} to {_WIDEST:g}, in s^2 and "
+            f"{loop.printed('N/m')}"
         )
     found = Dimensionless(
         gamma=nearest(decimal(moved.stiffness or 0) * period**2 / mass),
@@ -183,10 +313,49 @@ def _dimensionless(loop: DeviceLoop) -> Dimensionless:
         (late, getattr(loop, late), "t_d/T", found.delay, LONGEST),
     ):
         if value > most:
-            of = f"with mass={moved.mass!r} and sampling_period={loop.sampling_period!r}"
+            of = f"with {heavy} and sampling_period={loop.sampling_period!r}"
             given = f"{name}: {own!r} {of}"
             raise ValueError(f"{given} is not allowed; give {formula} <= {most:g}")
     return found
+
+
+_FURTHER = (
+    *("dynamics", "velocity", "actuator", "structure", "integrator", "virtual_mass"),
+    *("encoder", "coulomb_friction"),
+)
+"""Parts that are shown only if they are there."""
+
+_KINDS: dict[str, type] = {
+    "dynamics": LinearDevice,
+    "velocity": Velocity,
+    "actuator": Lag,
+    "structure": SecondMass,
+    "encoder": Encoder,
+}
+
+_EXAMPLES = {
+    "dynamics": "LinearDevice(A, B, C) or LinearDevice.of(system)",
+    "velocity": 'a velocity such as LowPass(cutoff="50 Hz")',
+    "actuator": 'Lag(time_constant="1 ms")',
+    "structure": 'SecondMass(mass="20 g", stiffness="20 N/mm")',
+    "encoder": 'Encoder(resolution="20 um")',
+}
+
+
+@lru_cache(maxsize=256)
+def _engine(loop: DeviceLoop) -> Engine:
+    gamma, delta, delay = loop.dimensionless
+    return Engine(
+        gamma,
+        delta,
+        delay,
+        loop.coupled.mass,
+        loop.sampling_period,
+        loop.velocity or Difference(),
+        tuple(part for part in (loop.dynamics, loop.structure, loop.actuator) if part is not None),
+        loop.integrator,
+        loop.virtual_mass or 0.0,
+    )
 
 
 @lru_cache(maxsize=256)
@@ -201,4 +370,8 @@ def together(loop: AnyLoop) -> AnyLoop:
 
     Only stability may be asked of it: passivity would count the arm's damping.
     """
-    return loop if loop.arm is None else replace(loop.device, **loop.coupled._asdict())
+    if loop.arm is None:
+        return loop
+    mass, damping, stiffness = loop.coupled
+    one = replace(loop.device, damping=damping, stiffness=stiffness)
+    return replace(one, inertia=mass) if loop.rotary else replace(one, mass=mass)

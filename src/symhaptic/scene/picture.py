@@ -1,4 +1,4 @@
-"""Pictures of the stable and the passive walls of a loop, in N/m and Ns/m."""
+"""Pictures of the stable and the passive walls of a loop, in N/m and Ns/m or N m/rad."""
 
 from __future__ import annotations
 
@@ -13,7 +13,12 @@ from symhaptic.numeric.stability import is_stable
 from symhaptic.scene import walls
 from symhaptic.scene.dimensionless import units
 from symhaptic.scene.loop import DeviceLoop, together
-from symhaptic.scene.walls import limit_at, max_passive_stiffness, max_stable_stiffness
+from symhaptic.scene.walls import (
+    limit_at,
+    max_passive_stiffness,
+    max_stable_stiffness,
+    why_not_passive,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -36,8 +41,42 @@ def draw(axes: Axes, scene: DeviceLoop, wall: tuple[float, float] | None = None)
     high = {"K": 1.1 * max(most.K, wall[0] if wall else 0.0), "B": 2.25 * most.B}
     high["B"] = max(high["B"], 1.3 * wall[1] if wall else 0.0)
     low = {"K": -0.06 * high["K"], "B": -0.16 * high["B"]}
+    if scene.further:
+        for ring in walls.stable_region(held).outline:
+            axes.fill(ring[:, 1], ring[:, 0], color=STABLE, lw=0)
+            axes.plot(ring[:, 1], ring[:, 0], color=EDGE, lw=1.3)
+    else:
+        _traced(axes, held, low, high)
+    in_K, in_B = scene.printed("N/m"), scene.printed("N*s/m")
+    marks = [(most, _said("stable", most, scene))]
+    if alone.damping and not why_not_passive(alone):
+        marks.append(_passive(axes, alone))
+    for (limit, text), shape in zip(marks, "od", strict=False):
+        axes.plot(limit.B, limit.K, shape, ms=5, color="black", zorder=3, label=text)
+    if wall is not None:
+        good = bool(walls.is_stable(held, *wall))
+        text = f"this wall: {wall[0]:g} {in_K}, {wall[1]:g} {in_B}"
+        color = EDGE if good else UNSTABLE
+        top = limit_at(held, wall[1]).K
+        if good and wall[0] < top:
+            axes.plot(
+                [wall[1], wall[1]], [wall[0], top],
+                ":", color=color, label=f"to its limit: {digits(top - wall[0])} {in_K} more",
+            )  # fmt: skip
+        axes.plot(wall[1], wall[0], "x", ms=9, mew=2, color=color, label=text)
+    axes.fill([], [], color=STABLE, label="stable walls")
+    axes.axhline(0, color="black", lw=0.6)
+    axes.axvline(0, color="black", lw=0.6)
+    axes.set(xlim=(low["B"], high["B"]), ylim=(low["K"], high["K"]))
+    axes.set(xlabel=f"virtual damping $B$ in {in_B}", ylabel=f"virtual stiffness $K$ in {in_K}")
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.legend(**BELOW, ncols=2, fontsize=9)
+
+
+def _traced(axes: Axes, held: DeviceLoop, low: dict[str, float], high: dict[str, float]) -> None:
+    """The stable walls by their verdicts, and the explicit boundary."""
     n = held.dimensionless
-    per_K, per_B = units(held.mass, held.sampling_period)
+    per_K, per_B = units(held.mass_or_inertia, held.sampling_period)
     B, K = np.meshgrid(np.linspace(low["B"], high["B"], 900), np.linspace(low["K"], high["K"], 700))
     stable = is_stable(K / per_K, B / per_B, n.gamma, n.delta, n.delay)
     axes.contourf(B, K, stable, levels=[0.5, 1.5], colors=[STABLE])
@@ -49,29 +88,6 @@ def draw(axes: Axes, scene: DeviceLoop, wall: tuple[float, float] | None = None)
         np.where(inside, beta * per_B, np.nan), np.where(inside, alpha * per_K, np.nan),
         color=EDGE, lw=1.3,
     )  # fmt: skip
-    marks = [(most, _said("stable", most))]
-    if alone.damping:
-        marks.append(_passive(axes, alone))
-    for (limit, text), shape in zip(marks, "od", strict=False):
-        axes.plot(limit.B, limit.K, shape, ms=5, color="black", zorder=3, label=text)
-    if wall is not None:
-        good = bool(walls.is_stable(held, *wall))
-        text = f"this wall: {wall[0]:g} N/m, {wall[1]:g} Ns/m"
-        color = EDGE if good else UNSTABLE
-        top = limit_at(held, wall[1]).K
-        if good and wall[0] < top:
-            axes.plot(
-                [wall[1], wall[1]], [wall[0], top],
-                ":", color=color, label=f"to its limit: {top - wall[0]:.0f} N/m more",
-            )  # fmt: skip
-        axes.plot(wall[1], wall[0], "x", ms=9, mew=2, color=color, label=text)
-    axes.fill([], [], color=STABLE, label="stable walls")
-    axes.axhline(0, color="black", lw=0.6)
-    axes.axvline(0, color="black", lw=0.6)
-    axes.set(xlim=(low["B"], high["B"]), ylim=(low["K"], high["K"]))
-    axes.set(xlabel="virtual damping $B$ in Ns/m", ylabel="virtual stiffness $K$ in N/m")
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(**BELOW, ncols=2, fontsize=9)
 
 
 def new_axes(caller: str) -> Axes:
@@ -85,8 +101,15 @@ def new_axes(caller: str) -> Axes:
 
 def _passive(axes: Axes, alone: DeviceLoop) -> tuple[Stiffness, str]:
     """The passive walls, and the stiffest of them with what is said of it."""
+    safe = max_passive_stiffness(alone)
+    if alone.further:
+        for ring in walls.passive_region(alone).outline:
+            axes.fill(
+                ring[:, 1], ring[:, 0], color=PASSIVE, alpha=0.75, lw=0, label="passive walls"
+            )
+        return safe, _said("passive", safe, alone)
     _, own, delay = alone.dimensionless
-    per_K, per_B = units(alone.mass, alone.sampling_period)
+    per_K, per_B = units(alone.mass_or_inertia, alone.sampling_period)
     angles = np.linspace(1e-3, np.pi / (delay + 1), 400)
     alpha, beta = passivity_boundary(angles, own, delay)[:2]
     known = np.isfinite(alpha) & (alpha >= 0)
@@ -94,11 +117,15 @@ def _passive(axes: Axes, alone: DeviceLoop) -> tuple[Stiffness, str]:
         np.r_[-own, beta[known]] * per_B, np.r_[0, alpha[known]] * per_K,
         color=PASSIVE, alpha=0.75, lw=0, label="passive walls",
     )  # fmt: skip
-    safe = max_passive_stiffness(alone)
-    return safe, _said("passive", safe)
+    return safe, _said("passive", safe, alone)
 
 
-def _said(kind: str, wall: Stiffness) -> str:
-    """A limit in words; no power of ten stands in it."""
-    K = f"{wall.K:.0f}" if wall.K >= 1000 else f"{wall.K:.3g}"
-    return f"stiffest {kind} wall: {K} N/m, {wall.B:.3g} Ns/m"
+def _said(kind: str, wall: Stiffness, scene: DeviceLoop) -> str:
+    """A limit in words."""
+    in_K, in_B = scene.printed("N/m"), scene.printed("N*s/m")
+    return f"stiffest {kind} wall: {digits(wall.K)} {in_K}, {wall.B:.3g} {in_B}"
+
+
+def digits(K: float) -> str:
+    """A stiffness without a power of ten if it is large."""
+    return f"{K:.0f}" if K >= 1000 else f"{K:.3g}"

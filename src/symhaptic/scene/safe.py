@@ -20,10 +20,10 @@ from symhaptic.bounds.safe.passive import is_passive, passive
 from symhaptic.notation.quantities import decimal, in_unit, number, shown
 from symhaptic.numeric import arguments
 from symhaptic.numeric.boundary import stability_boundary
-from symhaptic.scene.arms import Arm, ArmRange
+from symhaptic.scene.arms import Arm, ArmRange, checked_range
 from symhaptic.scene.dimensionless import units
 from symhaptic.scene.loop import DeviceLoop
-from symhaptic.scene.picture import BELOW, EDGE, PASSIVE, STABLE, UNSTABLE, new_axes
+from symhaptic.scene.picture import BELOW, EDGE, PASSIVE, STABLE, UNSTABLE, digits, new_axes
 from symhaptic.scene.walls import max_stable_stiffness
 from symhaptic.scene.words import table
 
@@ -83,12 +83,20 @@ class SafeWalls:
     def _tops(self) -> NDArray[np.float64]:
         return np.array(self.certificate.columns.tops)
 
+    @property
+    def _units(self) -> tuple[str, str]:
+        """Units of K and B, as they are printed."""
+        return self.scene.printed("N/m"), self.scene.printed("N*s/m")
+
+    def _wall(self, K: Any, B: Any) -> tuple[float, float]:
+        return number("K", K, self.scene.unit("N/m")), number("B", B, self.scene.unit("N*s/m"))
+
     def limit_at(self, B: Any) -> Any:
         """The largest stiffness in N/m that is proved safe with the damping ``B`` in Ns/m.
 
         0 where none is, NaN for NaN.  Arrays are welcome.
         """
-        B = arguments.real("B", in_unit("B", B, "N*s/m"))
+        B = arguments.real("B", in_unit("B", B, self.scene.unit("N*s/m")))
         last = len(self._tops) - 1
         found = np.where(np.isnan(B), np.nan, 0.0)
         sides: tuple[Literal["left", "right"], ...] = ("left", "right")
@@ -103,7 +111,7 @@ class SafeWalls:
 
         ``False`` says that nothing is proved, and so do NaN and infinite numbers.
         """
-        K = arguments.real("K", in_unit("K", K, "N/m"))
+        K = arguments.real("K", in_unit("K", K, self.scene.unit("N/m")))
         found = (self.softest <= K) & (self.limit_at(B) >= K)
         return bool(found) if np.ndim(found) == 0 else found
 
@@ -111,8 +119,8 @@ class SafeWalls:
         """Whether walls are proved passive, and so for every arm that is."""
         from shapely import Polygon, intersects_xy
 
-        K = arguments.real("K", in_unit("K", K, "N/m"))
-        B = arguments.real("B", in_unit("B", B, "N*s/m"))
+        K = arguments.real("K", in_unit("K", K, self.scene.unit("N/m")))
+        B = arguments.real("B", in_unit("B", B, self.scene.unit("N*s/m")))
         if len(self.passive_corners) < 3:
             return False if K.ndim + B.ndim == 0 else np.zeros(np.broadcast(K, B).shape, bool)
         found = intersects_xy(Polygon(self.passive_corners).convex_hull, *np.broadcast_arrays(K, B))
@@ -160,11 +168,12 @@ class SafeWalls:
 
         Raises :class:`ValueError` if no damping makes this stiffness safe.
         """
-        K = number("K", K, "N/m")
+        K = number("K", K, self.scene.unit("N/m"))
         (safe,) = np.nonzero((self._tops >= K) & (self.softest <= K))
         if not len(safe):
             raise ValueError(
-                f"K: {K!r} is not allowed; give {self.softest:.3g} to {self.stiffest[0]:.6g} N/m"
+                f"K: {K!r} is not allowed; give {self.softest:.3g} to {self.stiffest[0]:.6g} "
+                f"{self._units[0]}"
             )
         gap = np.nonzero(np.diff(safe) > 1)[0]
         run = max(np.split(safe, gap + 1), key=len)
@@ -183,7 +192,7 @@ class SafeWalls:
         every delay from the scene's own to that plus the margin.  Raises :class:`ValueError` for a
         wall that is not proved safe.
         """
-        K, B = number("K", K, "N/m"), number("B", B, "N*s/m")
+        K, B = self._wall(K, B)
         if not self.contains(K, B):
             raise ValueError(f"K: {K!r} with B={B!r} is not proved safe")
         loops = self.certificate.loops
@@ -227,23 +236,20 @@ class SafeWalls:
 
     def facts(self) -> dict[str, str]:
         """What there is to say, in words with units."""
-        (K, B), box = self.stiffest, self.rectangle
+        (K, B), box, free = self.stiffest, self.rectangle, self.limit_at(0.0)
+        in_K, in_B = self._units
         found = {
             "arms": str(self.arms),
-            "stable up to": f"{K:.5g} N/m with B = {B:.4g} Ns/m",
-            "without B": _stiff(self.limit_at(0.0)),
-            "any wall of": f"{box.K[0]:.2g} to {box.K[1]:.5g} N/m "
-            f"with {box.B[0]:.4g} to {box.B[1]:.4g} Ns/m",
+            "stable up to": f"{K:.5g} {in_K} with B = {B:.4g} {in_B}",
+            "without B": f"{free:.4g} {in_K}" if free > 0 else "nothing",
+            "any wall of": f"{box.K[0]:.2g} to {box.K[1]:.5g} {in_K} "
+            f"with {box.B[0]:.4g} to {box.B[1]:.4g} {in_B}",
             "passive up to": "nothing",
         }
         if self.stiffest_passive:
             K, B = self.stiffest_passive
-            found["passive up to"] = f"{K:.5g} N/m with B = {B:.4g} Ns/m"
+            found["passive up to"] = f"{K:.5g} {in_K} with B = {B:.4g} {in_B}"
         return found
-
-
-def _stiff(K: float) -> str:
-    return f"{K:.4g} N/m" if K > 0 else "nothing"
 
 
 def _range(arm: Arms) -> ArmRange:
@@ -268,9 +274,9 @@ def safe_walls(scene: DeviceLoop, arm: Arms) -> SafeWalls:
                 "use scene.device.safe_walls(...) for another arm"
             )
         scene, arm = scene.device, scene.arm
-    arms = _range(arm)
+    arms = checked_range(_range(arm), scene.rotary)
     loops = Loops(
-        decimal(scene.mass),
+        decimal(scene.mass_or_inertia),
         decimal(scene.damping or 0.0),
         decimal(scene.stiffness or 0.0),
         decimal(scene.sampling_period),
@@ -297,7 +303,7 @@ def draw_safe(axes: Axes, safe: SafeWalls, wall: tuple[float, float] | None = No
     n = alone.dimensionless
     theta = np.linspace(1e-4, min(np.pi, 2.2 * np.pi / (n.delay + 1)), 4000)
     alpha, beta = stability_boundary(theta, n.gamma, n.delta, n.delay)[:2]
-    per_K, per_B = units(alone.mass, alone.sampling_period)
+    per_K, per_B = units(alone.mass_or_inertia, alone.sampling_period)
     K, B = alpha * per_K, beta * per_B
     far = {name: 2 * end for name, end in high.items()}
     seen = (K > 0) & (far["K"] > K) & (abs(B) < far["B"])
@@ -306,9 +312,11 @@ def draw_safe(axes: Axes, safe: SafeWalls, wall: tuple[float, float] | None = No
         color=EDGE, lw=1.3, label="border without an arm",
     )  # fmt: skip
     (low, top), (left, right) = box
+    in_K, in_B = safe._units
     axes.plot(
         [left, right, right, left, left], [low, low, top, top, low],
-        color="black", lw=1, ls="--", label=f"{top:.0f} N/m with {left:.3g} to {right:.3g} Ns/m",
+        color="black", lw=1, ls="--",
+        label=f"{digits(top)} {in_K} with {left:.3g} to {right:.3g} {in_B}",
     )  # fmt: skip
     if safe.passive_corners:
         corners = np.array(safe.passive_corners)
@@ -320,9 +328,9 @@ def draw_safe(axes: Axes, safe: SafeWalls, wall: tuple[float, float] | None = No
         good = bool(safe.contains(*wall))
         axes.plot(
             wall[1], wall[0], "x", ms=9, mew=2, color=EDGE if good else UNSTABLE,
-            label=f"this wall: {wall[0]:g} N/m, {wall[1]:g} Ns/m",
+            label=f"this wall: {wall[0]:g} {in_K}, {wall[1]:g} {in_B}",
         )  # fmt: skip
     axes.set(xlim=(0, high["B"]), ylim=(0, high["K"]))
-    axes.set(xlabel="virtual damping $B$ in Ns/m", ylabel="virtual stiffness $K$ in N/m")
+    axes.set(xlabel=f"virtual damping $B$ in {in_B}", ylabel=f"virtual stiffness $K$ in {in_K}")
     axes.spines[["top", "right"]].set_visible(False)
     axes.legend(**BELOW, ncols=2, fontsize=9)

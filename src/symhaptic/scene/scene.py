@@ -15,12 +15,16 @@ from symhaptic.scene.limit import Limit, Stiffness, one_or_many
 from symhaptic.scene.loop import DeviceLoop
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from symhaptic.bounds.simplest.choose import Simplest
     from symhaptic.scene.arms import Arm
+    from symhaptic.scene.damping import Damping, Dampings
     from symhaptic.scene.safe import Arms, SafeWalls
+    from symhaptic.scene.simulation import Simulation
     from symhaptic.scene.walls import PassiveWalls, StableWalls
 
 
@@ -31,12 +35,23 @@ class Scene(DeviceLoop):
     (3).  A part that is left out (``None``) is not modelled.  Walls have the stiffness K in N/m and
     the damping B in Ns/m.
 
+    A rotary device has an ``inertia`` instead of a mass.  Then all stiffnesses are in N m/rad and
+    all dampings in N m s/rad, wherever the methods say N/m and Ns/m.
+
+    Numbers are in SI units.  Text has a number and a unit, such as ``"72 g"`` or ``"0.5 N*s/m"``.
+    SI symbols are read in any spelling, with prefixes, deg, turn and rpm; with Pint, all units that
+    it knows.
+
     Parameters
     ----------
-    mass : float
+    mass : float or str, optional
         m_D of the device in kg, > 0.
-    sampling_period : float
+    inertia : float or str, optional
+        Moment of inertia of a rotary device in kg m^2, > 0, instead of the mass.
+    sampling_period : float or str, optional
         T in s, > 0.
+    sampling_rate : float or str, optional
+        1/T in Hz, > 0, instead of the sampling period, in which it is kept.
     damping : float, optional
         Physical damping b_D of the device in Ns/m, >= 0, without the arm's.
     stiffness : float, optional
@@ -51,8 +66,9 @@ class Scene(DeviceLoop):
     Raises
     ------
     ValueError
-        If a mass or period is not positive, a damping, stiffness or delay is negative, two delays
-        are given, or a value is infinite, NaN, a truth value or of the wrong dimension.
+        If a mass, inertia, period or rate is not positive, a damping, stiffness or delay is
+        negative, two of such a pair or two delays are given, or a value is infinite, NaN, a truth
+        value or of the wrong dimension.
 
     Warns
     -----
@@ -73,6 +89,9 @@ class Scene(DeviceLoop):
     Dimensionless(gamma=0.0, delta=0.005, delay=1.0)
     >>> scene.parts.name
     'damping, virtual damping, delay'
+    >>> knob = Scene(inertia="2e-4 kg m^2", damping="1e-4 N m s/rad", sampling_rate="1 kHz")
+    >>> knob.is_stable(K="1 N m/deg", B="0.05 N m s/rad"), round(knob.max_passive_stiffness(), 9)
+    (True, 0.2)
     """
 
     @classmethod
@@ -142,7 +161,7 @@ class Scene(DeviceLoop):
                 f"arm: {shown(arm)} beside {self.arm!r} is not allowed; "
                 "use scene.device.held_by(...) for another arm"
             )
-        return replace(self, arm=checked(arm))
+        return replace(self, arm=checked(arm, self.rotary))
 
     def is_stable(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Whether walls of stiffness ``K`` (N/m) and damping ``B`` (Ns/m) are stable.
@@ -278,6 +297,46 @@ class Scene(DeviceLoop):
 
         return max_passive_stiffness(self) if B is None else one_or_many(passive_limit_at(self, B))
 
+    def max_quantised_stiffness(self) -> Stiffness:
+        """Largest stiffness in N/m of a wall without damping that is passive with the encoder.
+
+        The encoder rounds the position, and an oscillation between its steps can last although the
+        loop with the exact position is stable and passive.  Coulomb friction dissipates what the
+        rounding adds.  The limit is 0 without Coulomb friction: then the steps can sustain an
+        oscillation at any stiffness.  Counts the device alone, (3); an arm is ignored.
+
+        Returns
+        -------
+        Stiffness
+            The stiffness with the attributes ``.B``, 0.0, and ``.frequency_hz``, NaN if friction
+            limits it.  :meth:`describe` says which of both does.
+
+        Raises
+        ------
+        ValueError
+            If the scene has no encoder, or parts for which passivity is not known.
+
+        Notes
+        -----
+        Without delay K <= min(2 b/T, 2 f_c/Delta) [1]_, with the friction f_c and the resolution
+        Delta.  With a delay, :meth:`max_passive_stiffness` for B = 0 takes the place of 2 b/T.
+        The bound is sufficient for passivity; :meth:`simulate` shows motions beyond it.
+
+        .. [1] J. J. Abbott and A. M. Okamura, "Effects of position quantization and sampling rate
+           on virtual-wall passivity", IEEE Transactions on Robotics 21(5), 2005, pp. 952-964.
+
+        Examples
+        --------
+        >>> from symhaptic import Encoder
+        >>> course = Scene(mass="40 g", damping=0.8, sampling_rate="1 kHz",
+        ...     encoder=Encoder(resolution="61.4 um"), coulomb_friction="0.02 N")
+        >>> round(course.max_quantised_stiffness(), 1)  # 2 f_c/Delta; 2 b/T is 1600 N/m
+        651.5
+        """
+        from symhaptic.scene.walls import max_quantised_stiffness
+
+        return max_quantised_stiffness(self)
+
     def limit_at(self, B: ArrayLike) -> Limit:
         """Largest stiffness K in N/m of a stable wall with the damping ``B`` in Ns/m.
 
@@ -296,6 +355,61 @@ class Scene(DeviceLoop):
         from symhaptic.scene.walls import limit_at
 
         return limit_at(self, B)
+
+    @overload
+    def damping_for(self, K: float) -> Damping: ...
+    @overload
+    def damping_for(self, K: ArrayLike) -> Dampings: ...
+    def damping_for(self, K: ArrayLike) -> Damping | Dampings:
+        """Virtual damping B in Ns/m with which a wall of stiffness ``K`` tolerates the most delay.
+
+        Parameters
+        ----------
+        K : float, str or array_like
+            Virtual stiffness in N/m.  Arrays may be those of xarray, Dask, pandas and Pint.
+
+        Returns
+        -------
+        Damping or Dampings
+            For one stiffness a number, B, with the attributes ``intervals``, the lowest and the
+            highest B of each range of stable dampings, and ``delay_margin`` in s.  For an array a
+            tuple of arrays: ``B``, ``low`` and ``high``, the ends of the range that contains B, and
+            ``delay_margin``.  If no damping makes a stable wall, B is NaN, ``intervals`` is empty
+            and the margin 0.
+
+        Raises
+        ------
+        ValueError
+            If ``K`` is not finite, or if pieces of the boundary are missed, see
+            :func:`symhaptic.stable_region`.
+
+        Notes
+        -----
+        The delay margin is that of :meth:`delay_margin`: the wall stays stable if a velocity
+        filter, an amplifier or a bus delays the loop by less.  The ends of the ranges lie on the
+        explicit stability boundary, and between them the roots outside the unit circle are counted.
+        B is found by a search over these ranges, to about 1e-5 of their width.  If several dampings
+        tolerate every delay, B is in the middle of them.  If the margin is not computed (NaN, see
+        :meth:`delay_margin`), B is the middle of the widest range.
+
+        See Also
+        --------
+        limit_at : Largest stiffness for a damping.
+
+        Examples
+        --------
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
+        >>> best = scene.damping_for(K=1000.0)
+        >>> [(round(low, 2), round(high, 2)) for low, high in best.intervals]
+        [(1.54, 63.67)]
+        >>> round(best, 1), round(1000 * best.delay_margin, 2)  # Ns/m, ms
+        (11.9, 5.17)
+        >>> scene.damping_for(K=[1000.0, 20_000.0]).B.round(1).tolist()
+        [11.9, nan]
+        """
+        from symhaptic.scene.damping import damping_for
+
+        return damping_for(self, K)
 
     def sensitivity(self, B: float | None = None) -> dict[str, float]:
         """Change of the stiffness limit in per cent for a 1 % increase of each parameter.
@@ -364,7 +478,7 @@ class Scene(DeviceLoop):
             raise ValueError(f"K: {K!r} with B={B!r} is not allowed; give both or none")
         wall = None
         if K is not None and B is not None:
-            wall = number("K", K, "N/m"), number("B", B, "N*s/m")
+            wall = number("K", K, self.unit("N/m")), number("B", B, self.unit("N*s/m"))
         axes = axes if axes is not None else new_axes("Scene.plot")
         draw(axes, self.held_by(arm) if arm else self, wall)
         return axes
@@ -399,6 +513,7 @@ class Scene(DeviceLoop):
         """
         from symhaptic.scene.safe import safe_walls
 
+        self.refuse_further("safe_walls")
         return safe_walls(self, arm)
 
     def simplest(
@@ -406,6 +521,7 @@ class Scene(DeviceLoop):
         rtol: float,
         *,
         mass: float | tuple[float, float] | None = None,
+        inertia: float | tuple[float, float] | None = None,
         damping: float | tuple[float, float] | None = None,
         stiffness: float | tuple[float, float] | None = None,
         B: float | tuple[float, float] | None = None,
@@ -420,11 +536,11 @@ class Scene(DeviceLoop):
         grows with ``B``), the loop without spring and damper, without spring, without damper, and
         the full loop.
 
-        ``mass``, ``damping``, ``stiffness`` and ``B`` override the scene: a number, or a range
-        (lowest, highest) over which the bound holds.  Numbers count as the decimals that they print
-        as.  Bounds are proved by ball (interval) arithmetic, for integer delays.  A model without
-        a proof has an infinite bound, with the reason.  All parameters are those of device and
-        arm together.
+        ``mass`` or ``inertia``, ``damping``, ``stiffness`` and ``B`` override the scene: a number,
+        or a range (lowest, highest) over which the bound holds.  Numbers count as the decimals that
+        they print as.  Bounds are proved by ball (interval) arithmetic, for integer delays.  A
+        model without a proof has an infinite bound, with the reason.  All parameters are those of
+        device and arm together.
 
         Raises :class:`ValueError` for an ``rtol`` that is not > 0 and for an impossible range.
 
@@ -438,10 +554,14 @@ class Scene(DeviceLoop):
         """
         from symhaptic.bounds.simplest.choose import Loop, simplest
 
-        over = {"mass": mass, "damping": damping, "stiffness": stiffness, "B": B}
+        self.refuse_further("simplest")
+        if (mass if self.rotary else inertia) is not None:
+            name, allowed = ("mass", "inertia") if self.rotary else ("inertia", "mass")
+            raise ValueError(f"{name}: is not allowed for this device; give its {allowed}")
+        over = {"mass": mass, "inertia": inertia, "damping": damping}
         m, b, k = self.coupled
-        loop = Loop(self.parts, self.periods, self.sampling_period, m, k, b)
-        return simplest(loop, rtol, over)
+        loop = Loop(self.parts, self.periods, self.sampling_period, m, k, b, self.unit)
+        return simplest(loop, rtol, {**over, "stiffness": stiffness, "B": B})
 
     def to_control(self) -> Any:
         """The sampled device with its arm and its delay, from N to m, for python-control.
@@ -469,6 +589,89 @@ class Scene(DeviceLoop):
 
         return sympy_system(self)
 
+    def simulate(
+        self,
+        K: float | str,
+        B: float | str,
+        *,
+        duration: float | str,
+        position0: float | str = 0.0,
+        velocity0: float | str = 0.0,
+        external_force: float | str | ArrayLike | Callable[[float], float] = 0.0,
+        unilateral: bool = False,
+        saturation: float | str | None = None,
+        samples_between: int = 0,
+    ) -> Simulation:
+        """Simulate the device at a wall at position 0, exactly at and between the samples.
+
+        The wall is switched on at time 0; commands that are still delayed then are 0.  Before, the
+        device moved with ``velocity0``.  Device and arm move together, with all parts, the
+        encoder's resolution and the Coulomb friction of the scene.
+
+        Parameters
+        ----------
+        K, B : float or str
+            Stiffness in N/m and damping in Ns/m of the wall.
+        duration : float or str
+            In s, > 0; rounded up to whole sampling periods.
+        position0, velocity0 : float or str
+            Start in m and m/s.  A device that is released inside the wall has ``position0`` > 0;
+            one that is thrown against it has ``position0`` <= 0 and ``velocity0`` > 0.
+        external_force : float, str, array_like of shape (periods,), or callable
+            Force in N on the device, or on the second mass of a ``structure``.  It is held for each
+            sampling period; a function of the time in s is called at the samples.
+        unilateral : bool
+            ``False`` for a wall that is a spring and a damper everywhere, as the verdicts assume.
+            ``True`` for a wall at positions > 0 that only pushes, towards negative positions.
+        saturation : float or str, optional
+            Largest force in N that the controller commands, >= 0.
+        samples_between : int
+            Number of additional times between two samples, >= 0; 0 for a simulator's integrator.
+
+        Returns
+        -------
+        Simulation
+            Arrays of shape (n,) with n = periods (``samples_between`` + 1) + 1.  If the motion
+            grows beyond the range of floats, values are NaN from there on.
+
+        Raises
+        ------
+        ValueError
+            If an argument is not finite, out of its range or of the wrong dimension or shape.
+
+        Notes
+        -----
+        Between the samples the forces are held, and matrix exponentials give the motion.  A
+        fractional delay changes the force within a period.  Coulomb friction is constant while the
+        device slides; the instants at which it stops and breaks away are computed as roots of power
+        series.  It acts on the motor.  A simulator moves by the steps of its integrator, and
+        friction takes at most the velocity of a step.
+
+        Examples
+        --------
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
+        >>> limit = scene.limit_at(B=5.0).K
+        >>> for K in (0.9 * limit, 1.1 * limit):
+        ...     found = scene.simulate(K, 5.0, duration="2 s", position0="1 mm")
+        ...     print(f"{K:.0f} N/m: {1000 * abs(found.position[-100:]).max():.2g} mm")
+        2323 N/m: 0.004 mm
+        2840 N/m: 2.8e+02 mm
+        """
+        from symhaptic.scene.simulation import simulate
+
+        return simulate(
+            self,
+            K,
+            B,
+            duration=duration,
+            position0=position0,
+            velocity0=velocity0,
+            external_force=external_force,
+            unilateral=unilateral,
+            saturation=saturation,
+            samples_between=samples_between,
+        )
+
     def delay_margin(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Delay in s that may be added until walls of ``K`` (N/m) and ``B`` (Ns/m) are unstable.
 
@@ -484,6 +687,40 @@ class Scene(DeviceLoop):
         from symhaptic.scene.walls import delay_margin
 
         return delay_margin(self, K, B)
+
+    def stable_delays(self, K: float, B: float, *, up_to: float) -> tuple[tuple[float, float], ...]:
+        """All windows of the delay in which a wall is stable, from 0 to ``up_to``.
+
+        A longer delay may make an unstable wall stable: stiff devices have several windows.
+
+        Parameters
+        ----------
+        K, B : float
+            Stiffness in N/m and damping in Ns/m of the wall.
+        up_to : float
+            The longest delay in s, up to 20 000 sampling periods.
+
+        Returns
+        -------
+        tuple of tuple of float
+            The ends of each window in s, which are open but for 0 and ``up_to``.
+
+        Raises
+        ------
+        ValueError
+            If an argument is not a finite number, ``up_to`` is negative or too long, or the scene
+            is a simulator, which has no time between its steps.
+
+        Examples
+        --------
+        >>> scene = Scene(mass=0.1, damping=1.0, stiffness=3e5, sampling_period=0.001)
+        >>> windows = scene.stable_delays(K=8e4, B=-90.0, up_to=0.008)
+        >>> [(round(1000 * low, 3), round(1000 * high, 3)) for low, high in windows]  # ms
+        [(0.533, 1.694), (4.783, 4.928)]
+        """
+        from symhaptic.scene.walls import stable_delays
+
+        return stable_delays(self, K, B, up_to)
 
     def max_delay(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Largest delay in s up to which walls of ``K`` (N/m) and ``B`` (Ns/m) are stable.

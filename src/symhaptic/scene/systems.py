@@ -14,6 +14,9 @@ from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import decimal
 from symhaptic.scene.loop import DeviceLoop
 
+_OF_THE_WALL = ("velocity", "virtual_mass")
+"""Parts that are no part of the device."""
+
 
 def coefficients(scene: DeviceLoop) -> tuple[list[float], list[float]]:
     """Numerator and denominator in z, the highest power first, of position over force in m/N.
@@ -22,6 +25,7 @@ def coefficients(scene: DeviceLoop) -> tuple[list[float], list[float]]:
     >>> coefficients(Scene(mass=1.0, sampling_period=1.0, delay=1.0))
     ([0.5, 0.5], [1.0, -2.0, 1.0, 0.0])
     """
+    scene.refuse_further("a system of another tool", *_OF_THE_WALL)
     gamma, delta, _ = scene.dimensionless
     steps = math.floor(scene.periods)
     part = float(scene.periods - steps)
@@ -72,6 +76,7 @@ def sympy_system(scene: DeviceLoop) -> Any:
     from symhaptic.model import fractional, plant
     from symhaptic.notation import z
 
+    scene.refuse_further("a system of another tool", *_OF_THE_WALL)
     mass, damping, stiffness = map(_exact, scene.coupled)
     period = _exact(scene.sampling_period)
     exact = plant.Plant(

@@ -12,6 +12,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from symhaptic.loops.sensor import quantisation_limit
+from symhaptic.loops.trace import LONGEST as LONGEST_TRACED
+from symhaptic.loops.trace import Trace
 from symhaptic.notation.quantities import in_unit, number, with_unit
 from symhaptic.numeric import arguments, boundary, passivity, stability
 from symhaptic.numeric.containers import kept
@@ -31,33 +34,65 @@ if TYPE_CHECKING:
 
 def is_stable(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """Whether all characteristic roots lie inside the unit circle."""
+    if scene.further:
+        return _of_walls(scene.engine.is_stable, scene, (), K, B, bool)
     return _of_walls(stability.is_stable, scene, scene.dimensionless, K, B, bool)
 
 
 def is_passive(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """Whether no motion extracts energy, by the damping of the device alone (3)."""
     alone = scene.device
+    if scene.further:
+        return _of_walls(alone.engine.is_passive, alone, (), K, B, bool)
     return _of_walls(passivity.is_passive, alone, alone.dimensionless[1:], K, B, bool)
+
+
+def why_not_passive(scene: DeviceLoop) -> str:
+    """Why passivity cannot be told of a loop, or nothing if it can."""
+    return scene.device.engine.no_passivity if scene.further else ""
 
 
 def passivity_margin(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """The damping of the device alone (3) in Ns/m minus the damping that a wall needs."""
     alone = scene.device
-    unit = units(alone.mass, alone.sampling_period)[1]
-    args = alone, alone.dimensionless[1:], K, B, float, unit, "N*s/m"
-    return _of_walls(passivity.passivity_margin, *args)
+    unit = units(alone.mass_or_inertia, alone.sampling_period)[1]
+    ask: Callable[..., Any] = passivity.passivity_margin
+    loop: tuple[float, ...] = alone.dimensionless[1:]
+    if scene.further:
+        ask, loop = alone.engine.passivity_margin, ()
+    return _of_walls(ask, alone, loop, K, B, float, unit, alone.unit("N*s/m"))
 
 
 def max_delay(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """The largest delay in s up to which a wall is stable."""
+    if scene.further:
+        ask = scene.engine.max_delay
+        return _of_walls(ask, scene, (), K, B, float, scene.sampling_period, "s")
     args = scene, scene.dimensionless[:2], K, B, float, scene.sampling_period, "s"
     return _of_walls(margin.max_delay, *args)
 
 
 def delay_margin(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """The delay in s that may be added until a wall is unstable."""
+    if scene.further:
+        ask = scene.engine.delay_margin
+        return _of_walls(ask, scene, (), K, B, float, scene.sampling_period, "s")
     args = scene, scene.dimensionless, K, B, float, scene.sampling_period, "s"
     return _of_walls(margin.delay_margin, *args)
+
+
+def stable_delays(scene: DeviceLoop, K: Any, B: Any, up_to: Any) -> tuple[tuple[float, float], ...]:
+    """The windows of the delay in s in which a wall is stable."""
+    stiff, damped = wall_units(scene)
+    period = scene.sampling_period
+    alpha = stiff * number("K", K, scene.unit("N/m"))
+    beta = damped * number("B", B, scene.unit("N*s/m"))
+    periods = number("up_to", up_to, "s", ">= 0") / period
+    if periods > LONGEST_TRACED:
+        most = f"{LONGEST_TRACED} periods, {LONGEST_TRACED * period:g} s"
+        raise ValueError(f"up_to: {up_to!r} is not allowed; give at most {most}")
+    found = scene.engine.stable_delays(alpha, beta, 0.0, periods)
+    return tuple((low * period, high * period) for low, high in found)
 
 
 def _of_walls(
@@ -85,7 +120,8 @@ def _of_walls(
         found = function(K * stiff, B * damped, *loop)
         return found if kind is bool else found * size
 
-    found = _one(answer(in_unit("K", K, "N/m"), in_unit("B", B, "N*s/m")), kind)
+    walls = in_unit("K", K, scene.unit("N/m")), in_unit("B", B, scene.unit("N*s/m"))
+    found = _one(answer(*walls), kind)
     return with_unit(found, unit, K, B) if unit else found
 
 
@@ -106,11 +142,16 @@ def stability_boundary(scene: DeviceLoop, frequency_hz: Any) -> tuple[Any, Any]:
         if not given.traced:
             beyond = (hz <= 0) | (2 * math.pi * period * hz >= math.pi)
             arguments.refuse("frequency_hz", hz, beyond, f"numbers 0 < frequency_hz < {half:g}")
-        alpha, beta = boundary.stability_boundary(2 * math.pi * period * hz, gamma, delta, delay)
+        theta = 2 * math.pi * period * hz
+        if scene.further:
+            alpha, beta = scene.engine.stability_boundary(theta)
+        else:
+            alpha, beta = boundary.stability_boundary(theta, gamma, delta, delay)
         return alpha * unit_K, beta * unit_B
 
     K, B = (_one(found, float) for found in answer(in_unit("frequency_hz", frequency_hz, "Hz")))
-    return with_unit(K, "N/m", frequency_hz), with_unit(B, "N*s/m", frequency_hz)
+    stiff, damped = scene.unit("N/m"), scene.unit("N*s/m")
+    return with_unit(K, stiff, frequency_hz), with_unit(B, damped, frequency_hz)
 
 
 def _one(found: Any, kind: type) -> Any:
@@ -120,13 +161,13 @@ def _one(found: Any, kind: type) -> Any:
 
 @dataclass(frozen=True)
 class StableWalls(Shape):
-    """The walls (K, B) that a scene keeps stable, in N/m and Ns/m."""
+    """The walls (K, B) that a scene keeps stable, in N/m and Ns/m, or N m/rad and N m s/rad."""
 
     scene: DeviceLoop
-    region: tracing.Region
+    region: tracing.Region | Trace
     """The same without units."""
     polygon: Any
-    """Shapely's polygon or polygons, in N/m and Ns/m; ``area`` is in N^2 s/m^2."""
+    """Shapely's polygon or polygons, in the units of the walls; ``area`` is in N^2 s/m^2."""
     corners: NDArray[np.float64] = field(compare=False)
     """One row (K, B) per corner."""
 
@@ -180,6 +221,13 @@ def passive_region(scene: DeviceLoop, corners: int = 400) -> PassiveWalls:
     b, period = scene.damping or 0.0, scene.sampling_period
     if b == 0:
         return PassiveWalls(scene, Polygon())
+    if scene.further:
+        delta = scene.dimensionless.delta
+        B = np.linspace(*scene.engine.needs.without_stiffness(delta), corners)
+        K, _ = scene.engine.needs.limits(B, delta)
+        own = units(scene.mass_or_inertia, period)
+        walls = np.column_stack([np.nan_to_num(K), B]) * own
+        return PassiveWalls(scene, MultiPoint([*walls, *(walls * (0, 1))]).convex_hull)
     omega = np.linspace(1e-4, math.pi * (1 - 1e-6), 10 * corners)
     alpha, beta = passivity.passivity_boundary(omega, 1.0, scene.dimensionless.delay)
     known = np.flatnonzero(np.isfinite(alpha) & (alpha >= 0))
@@ -192,6 +240,8 @@ def passive_region(scene: DeviceLoop, corners: int = 400) -> PassiveWalls:
 
 def max_stable_stiffness(scene: DeviceLoop) -> Stiffness:
     """The stiffest stable wall of any damping."""
+    if scene.further:
+        return Stiffness(*scene.limit(*scene.engine.trace.max_stiffness))
     return Stiffness(*scene.limit(*extremes.max_stable_stiffness(*scene.dimensionless)))
 
 
@@ -199,7 +249,32 @@ def max_passive_stiffness(scene: DeviceLoop) -> Stiffness:
     """The stiffest passive wall of any damping, of the device alone (3)."""
     alone = scene.device
     _, delta, delay = alone.dimensionless
+    if scene.further:
+        return Stiffness(*alone.limit(*alone.engine.needs.stiffest(delta)))
     return Stiffness(*alone.limit(*passivity.max_passive_stiffness(delta, delay)))
+
+
+def quantised_limits(scene: DeviceLoop) -> dict[str, Stiffness]:
+    """Stiffness up to which a wall without damping is passive with an encoder, by what limits it.
+
+    The position is rounded by at most Delta/2, and so the force is wrong by at most K Delta/2.
+    Friction of this size dissipates in each instant what the error gives, and the rest of the loop
+    is that without encoder.  Without virtual damping the filter of the velocity does not matter.
+    """
+    if scene.encoder is None:
+        raise ValueError("encoder: is left out; give Encoder(resolution=...)")
+    of_damping = passive_limit_at(replace(scene, velocity=None), 0.0)
+    passive = 0.0 if math.isnan(of_damping.K) else of_damping.K
+    friction = quantisation_limit(scene.encoder.resolution, scene.coulomb_friction or 0.0)
+    return {
+        "damping": Stiffness(passive, 0.0, of_damping.frequency_hz),
+        "friction": Stiffness(friction, 0.0, math.nan),
+    }
+
+
+def max_quantised_stiffness(scene: DeviceLoop) -> Stiffness:
+    """The smaller one of both."""
+    return min(quantised_limits(scene).values())
 
 
 def limit_at(scene: DeviceLoop, B: Any) -> Limit:
@@ -209,11 +284,16 @@ def limit_at(scene: DeviceLoop, B: Any) -> Limit:
 
     def rows(damping: NDArray[np.float64]) -> NDArray[np.float64]:
         betas = arguments.unitless("B", damping, damping * scale).flat
+        if scene.further:
+            unit, _ = units(scene.coupled.mass, scene.sampling_period)
+            K, theta = scene.engine.trace.limits(np.array(betas))
+            hz = theta / (2 * math.pi * scene.sampling_period)
+            return np.stack([K * unit, hz]).reshape(2, *damping.shape)
         found = [scene.limit(*extremes.stiffest_at(float(b), gamma, delta, delay)) for b in betas]
         table = np.array([(one.K, one.frequency_hz) for one in found]).reshape(-1, 2).T
         return table.reshape(2, *damping.shape)
 
-    return _limits(rows, B)
+    return _limits(rows, B, scene)
 
 
 def passive_limit_at(scene: DeviceLoop, B: Any) -> Limit:
@@ -221,21 +301,28 @@ def passive_limit_at(scene: DeviceLoop, B: Any) -> Limit:
     scene = scene.device
     _, delta, delay = scene.dimensionless
     period = scene.sampling_period
-    _, scale = per_unit(scene.mass, period)
+    _, scale = per_unit(scene.mass_or_inertia, period)
 
     def rows(damping: NDArray[np.float64]) -> NDArray[np.float64]:
         beta = arguments.unitless("B", damping, damping * scale)
-        alpha, _, theta = passivity.stiffest_passive_at(beta, delta, delay)
-        unit_K, _ = units(scene.mass, period)
+        if scene.further:
+            found = scene.engine.needs.limits(beta.ravel(), delta)
+            alpha, theta = (each.reshape(beta.shape) for each in found)
+        else:
+            alpha, _, theta = passivity.stiffest_passive_at(beta, delta, delay)
+        unit_K, _ = units(scene.mass_or_inertia, period)
         return np.stack([alpha * unit_K, theta / (2 * math.pi * period)])
 
-    return _limits(rows, B)
+    return _limits(rows, B, scene)
 
 
-def _limits(rows: Callable[[NDArray[np.float64]], NDArray[np.float64]], B: Any) -> Limit:
+def _limits(
+    rows: Callable[[NDArray[np.float64]], NDArray[np.float64]], B: Any, scene: DeviceLoop
+) -> Limit:
     """K and the frequency at a damping, or at each of many, labelled as these are."""
+    stiff, damped = scene.unit("N/m"), scene.unit("N*s/m")
     if not (isinstance(B, list | tuple) or getattr(B, "ndim", None)):
-        one = number("B", B, "N*s/m")
+        one = number("B", B, damped)
         K, hz = rows(np.asarray(one))
         return Limit(float(K), one, float(hz))
 
@@ -249,8 +336,8 @@ def _limits(rows: Callable[[NDArray[np.float64]], NDArray[np.float64]], B: Any) 
         K, hz = given.by_numpy(finite, 2)
         return K, given.values[0], hz
 
-    K, damping, hz = answer(in_unit("B", B, "N*s/m"))
-    units = ((K, "N/m"), (damping, "N*s/m"), (hz, "Hz"))
+    K, damping, hz = answer(in_unit("B", B, damped))
+    units = ((K, stiff), (damping, damped), (hz, "Hz"))
     return Limit(*(with_unit(found, unit, B) for found, unit in units))
 
 
@@ -260,9 +347,10 @@ _STEP = 1e-4
 
 def sensitivity(scene: DeviceLoop, B: float | None = None) -> dict[str, float]:
     """Change of the stiffness limit in per cent for a 1 % increase of each parameter."""
-    arm: tuple[str, ...] = ("arm_mass", "arm_damping", "arm_stiffness") if scene.arm else ()
+    moved = "inertia" if scene.rotary else "mass", "damping", "stiffness"
+    arm = tuple(f"arm_{name}" for name in moved) if scene.arm else ()
     here, found = _limit(scene, B), {}
-    for name in ("mass", "damping", "stiffness", *arm, "sampling_period", "delay", "delay_samples"):
+    for name in (*moved, *arm, "sampling_period", "delay", "delay_samples"):
         owner = scene.arm if name in arm else scene
         value = getattr(owner, name.removeprefix("arm_"))
         if value:
@@ -288,6 +376,6 @@ def stable_region(scene: DeviceLoop) -> StableWalls:
     """The region of the (K, B) plane."""
     from shapely.affinity import scale
 
-    found = tracing.stable_region(*scene.dimensionless)
+    found = scene.engine.trace if scene.further else tracing.stable_region(*scene.dimensionless)
     own = units(scene.coupled.mass, scene.sampling_period)
     return StableWalls(scene, found, scale(found.polygon, *own, origin=(0, 0)), found.corners * own)

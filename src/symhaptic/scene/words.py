@@ -4,10 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from html import escape
 
-from symhaptic.scene.loop import DeviceLoop
-from symhaptic.scene.walls import limit_at, max_passive_stiffness, max_stable_stiffness
+from symhaptic.scene.loop import UNITS, DeviceLoop
+from symhaptic.scene.walls import (
+    limit_at,
+    max_passive_stiffness,
+    max_stable_stiffness,
+    quantised_limits,
+    why_not_passive,
+)
 
 
 def table(facts: Mapping[str, str]) -> str:
@@ -35,8 +42,9 @@ def lines(facts: Mapping[str, str]) -> str:
 
 def facts(scene: DeviceLoop) -> dict[str, str]:
     """Parameters and limits of a scene, with units."""
-    units = (("mass", "kg"), ("damping", "Ns/m"), ("stiffness", "N/m"), ("sampling_period", "s"))
-    given = {name: (getattr(scene, name), unit) for name, unit in units}
+    units = {name: UNITS[name] for name in ("mass", "inertia", "damping", "stiffness")}
+    given = {name: (getattr(scene, name), scene.printed(unit)) for name, unit in units.items()}
+    given["sampling_period"] = scene.sampling_period, "s"
     found = {
         name.replace("_", " "): f"{value:g} {unit}"
         for name, (value, unit) in given.items()
@@ -47,24 +55,60 @@ def facts(scene: DeviceLoop) -> dict[str, str]:
         found["delay"] = f"{seconds:g} s, {float(scene.periods):g} sampling periods"
     if scene.arm is not None:
         found["arm"] = str(scene.arm)
+    found |= _parts(scene)
     most, free = max_stable_stiffness(scene), limit_at(scene, 0.0)
-    found["stable up to"] = _limit(most.K, most.frequency_hz, most.B)
-    found["without B"] = _limit(free.K, free.frequency_hz)
-    if scene.damping:
+    found["stable up to"] = _limit(scene, most.K, most.frequency_hz, most.B)
+    found["without B"] = _limit(scene, free.K, free.frequency_hz)
+    if why := why_not_passive(scene):
+        found["passive up to"] = f"not told ({why})"
+    elif scene.damping:
         safe = max_passive_stiffness(scene)
-        found["passive up to"] = _limit(safe.K, safe.frequency_hz, safe.B)
+        found["passive up to"] = _limit(scene, safe.K, safe.frequency_hz, safe.B)
     else:
         found["passive up to"] = "nothing, because the device has no damping"
+    if scene.encoder is not None and not why_not_passive(replace(scene, velocity=None)):
+        found["with encoder"] = quantised(scene)
     if scene.arm is not None:  # (2) and (3)
         found["stable up to"] += ", device and arm"
         found["passive up to"] += ", device alone"
     return found
 
 
-def _limit(K: float, hz: float, B: float | None = None) -> str:
+def quantised(scene: DeviceLoop) -> str:
+    """Up to which stiffness a wall is passive with the encoder, and what limits it."""
+    if why := why_not_passive(replace(scene, velocity=None)):
+        return f"not told ({why})"
+    if not scene.coulomb_friction:
+        return "nothing: without Coulomb friction, the steps can sustain an oscillation at any K"
+    limits, unit = quantised_limits(scene), scene.printed("N/m")
+    binding, other = sorted(limits, key=lambda name: limits[name])
+    return (
+        f"passive up to {limits[binding]:.4g} {unit} without B, limited by {binding}; "
+        f"{other} would allow {limits[other]:.4g} {unit}"
+    )
+
+
+def _parts(scene: DeviceLoop) -> dict[str, str]:
+    """The parts that the paper's loop does not have, in words."""
+    own = {
+        name: getattr(scene, name)
+        for name in ("dynamics", "velocity", "actuator", "structure", "encoder")
+    }
+    found = {name: part.words for name, part in own.items() if part is not None}
+    if scene.integrator != "hold":
+        found["integrator"] = scene.integrator
+    for name, unit in (("virtual_mass", "kg"), ("coulomb_friction", "N")):
+        if (value := getattr(scene, name)) is not None:
+            found[name.replace("_", " ")] = f"{value:g} {scene.printed(unit)}"
+    return found
+
+
+def _limit(scene: DeviceLoop, K: float, hz: float, B: float | None = None) -> str:
     if not (math.isfinite(K) and K > 0):
         return "nothing"
-    found = f"{K:.4g} N/m" if B is None else f"{K:.4g} N/m with B = {B:.4g} Ns/m"
+    found = f"{K:.4g} {scene.printed('N/m')}"
+    if B is not None:
+        found += f" with B = {B:.4g} {scene.printed('N*s/m')}"
     return f"{found}, at {hz:.4g} Hz" if math.isfinite(hz) else found
 
 
@@ -80,16 +124,19 @@ def latex(scene: DeviceLoop) -> str:
     n, arm = scene.dimensionless, scene.arm
     seconds = float(scene.periods) * scene.sampling_period
     device = "" if arm is None else "_D"
+    mass, damped, stiff = (_latex_unit(scene.printed(unit)) for unit in ("kg", "N*s/m", "N/m"))
     parts = [
-        (f"m{device}", scene.mass, "kg"),
-        (f"b{device}", scene.damping, "Ns/m"),
-        (f"k{device}", scene.stiffness, "N/m"),
+        (f"m{device}", scene.mass, mass),
+        (f"J{device}", scene.inertia, mass),
+        (f"b{device}", scene.damping, damped),
+        (f"k{device}", scene.stiffness, stiff),
     ]
     if arm is not None:
         parts += [
-            ("m_H", arm.mass, "kg"),
-            ("b_H", arm.damping, "Ns/m"),
-            ("k_H", arm.stiffness, "N/m"),
+            ("m_H", arm.mass, mass),
+            ("J_H", arm.inertia, mass),
+            ("b_H", arm.damping, damped),
+            ("k_H", arm.stiffness, stiff),
         ]
     parts += [
         ("T", scene.sampling_period, "s"),
@@ -108,6 +155,15 @@ def latex(scene: DeviceLoop) -> str:
     both = [r",\ ".join(each) for each in (given, without) if each]
     joined = r";\ ".join(both)
     return f"${joined}$"
+
+
+def _latex_unit(unit: str) -> str:
+    r"""A unit inside ``\mathrm``.
+
+    >>> _latex_unit("N m s/rad"), _latex_unit("kg m^2")
+    ('N\\,m\\,s/rad', 'kg\\,m^2')
+    """
+    return unit.replace(" ", r"\,")
 
 
 def _number(value: float) -> str:

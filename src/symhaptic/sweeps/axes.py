@@ -7,21 +7,22 @@ from typing import Any
 
 import numpy as np
 
-from symhaptic.notation.quantities import dimensionless, in_unit, shown
+from symhaptic.notation.quantities import in_unit, shown
 from symhaptic.notation.suggest import suggested
+from symhaptic.notation.units import spelled
 from symhaptic.numeric import arguments
+from symhaptic.scene.arms import UNITS
 from symhaptic.scene.scene import Scene
 from symhaptic.sweeps.plan import REDUCTIONS, Input, Plan, Variable, lengths_of
-from symhaptic.sweeps.quantities import IN_SI, INPUTS, Meaning, Result, Work, work_of
-
-_PINT = {"N/m": "N/m", "Ns/m": "N*s/m", "1": "", "kg": "kg", "s": "s", "Hz": "Hz"}
-"""Units as Pint spells them."""
+from symhaptic.sweeps.quantities import INPUTS, Meaning, Result, Work, work_of
 
 
 def scene_or_none(scene: Scene | None) -> None:
     """Raise :class:`ValueError` for what is no scene."""
     if scene is not None and not isinstance(scene, Scene):
         raise ValueError(f"scene: {shown(scene)} is not allowed; give a Scene")
+    if scene is not None:
+        scene.refuse_further("sweep")
 
 
 def plan_of(
@@ -41,7 +42,7 @@ def plan_of(
     given = {n: v for n, v in axes.items() if n not in work.words}
     if scene is not None:
         given = _of_scene(scene, work, given)
-    meanings = IN_SI if scene is not None else INPUTS
+    meanings = work.meanings if scene is not None else INPUTS
     _named(work, given)
     inputs: dict[str, Input] = {}
     coords: dict[str, Any] = {}
@@ -113,7 +114,7 @@ def _of_scene(scene: Scene, work: Work, given: Mapping[str, Any]) -> dict[str, A
             if not {"delay", "delay_samples"} & set(given):
                 own = "delay_samples" if scene.delay_samples is not None else "delay"
                 found[own] = getattr(scene, own) or 0.0
-        elif name in ("mass", "sampling_period", "stiffness", "damping") and name not in given:
+        elif name in (*UNITS, "sampling_period") and name not in given:
             found[name] = getattr(scene, name) or 0.0
     return found
 
@@ -150,10 +151,7 @@ def _input(
         more = {str(n): (c.dims, c.values, c.attrs) for n, c in value.coords.items()
                 if c.dims and set(c.dims) <= set(dims)}  # fmt: skip
         value = value.data
-        kind = type(value).__module__.partition(".")[0]
-    if kind == "pint":
-        unit = _PINT[meaning.unit] if meaning else ""
-        value = in_unit(name, value, unit) if unit else dimensionless(name, value)
+    value = in_unit(name, value, spelled(meaning.unit) if meaning else "")
     array = arguments.real(name, value)
     if known:
         _check(name, array)
@@ -169,7 +167,7 @@ def _input(
 
 def _check(name: str, array: Any) -> None:
     """Refuse what is out of range before anything is computed."""
-    if name in ("mass", "sampling_period"):
+    if name in ("mass", "inertia", "sampling_period"):
         bad = ~(array > 0) | np.isinf(array)
         arguments.refuse(name, array, bad, f"finite numbers {name} > 0")
     elif name in ("stiffness", "damping", "delay_samples"):

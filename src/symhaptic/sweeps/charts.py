@@ -20,7 +20,7 @@ from symhaptic.scene.loop import together
 from symhaptic.scene.picture import BELOW, EDGE, PASSIVE, STABLE, UNSTABLE
 from symhaptic.sweeps.axes import scene_or_none
 from symhaptic.sweeps.drawing import figure_and_axes, filled, in_ms, labelled, plain, said
-from symhaptic.sweeps.quantities import IN_SI, INPUTS
+from symhaptic.sweeps.quantities import IN_SI, INPUTS, in_si
 from symhaptic.sweeps.sweep import sweep
 
 if TYPE_CHECKING:
@@ -90,7 +90,7 @@ def robust_limits(
     axes.axhline(0, color="black", lw=0.5)
     axes.axvline(0, color="black", lw=0.5)
     labelled(axes, x, y)
-    axes.set_title(_range(arms), fontsize=9, loc="left")
+    axes.set_title(_range(scene, arms), fontsize=9, loc="left")
     axes.legend(**BELOW, ncols=2)
     return figure
 
@@ -117,7 +117,7 @@ def stiffest(
         axes_of = {"delay": delay or (0.0, 4.0), "delta": damping or DAMPED}
         fixed, name = {"gamma": 0.0}, "alpha"
     else:
-        own = scene.damping or units(scene.mass, scene.sampling_period)[1] / 100
+        own = scene.damping or units(scene.mass_or_inertia, scene.sampling_period)[1] / 100
         period = scene.sampling_period
         axes_of = {"delay": delay or (0.0, 4 * period), "damping": damping or (0.0, 2 * own)}
         name = "K"
@@ -214,7 +214,7 @@ def model_costs(
     axes.yaxis.set_minor_formatter(LogFormatter())  # a narrow range, and without powers of ten
     axes.set(xlim=(float(across.min()), float(across.max())))
     axes.set(xlabel=said(across), ylabel="largest error of the stiffest wall in %")
-    axes.set_title(_range(arms), fontsize=9, loc="left")
+    axes.set_title(_range(scene, arms), fontsize=9, loc="left")
     axes.legend(**BELOW, ncols=3)
     return figure
 
@@ -269,11 +269,11 @@ def _own(scene: Scene, part: str) -> Range:
     return 0.0, getattr(scene, part) or 0.0
 
 
-def _range(arms: dict[str, Any]) -> str:
+def _range(scene: Scene | None, arms: dict[str, Any]) -> str:
     """The range in words."""
     parts = []
     for name, values in arms.items():
-        meaning = {**INPUTS, **IN_SI}[name]
+        meaning = INPUTS[name] if scene is None else in_si(IN_SI[name], scene.rotary)
         unit = f" {meaning.unit}" if meaning.unit != "1" else ""
         ends = f"{values[0]:g} to {values[-1]:g}" if values.size > 1 else f"{values[0]:g}"
         parts.append(f"${meaning.latex}$ = {ends}{unit}")

@@ -18,7 +18,8 @@ import numpy as np
 from symhaptic.notation import SYMBOLS
 from symhaptic.notation.quantities import decimal, nearest, shown
 from symhaptic.notation.suggest import suggested
-from symhaptic.scene.arms import UNITS, Arm, added
+from symhaptic.notation.units import said, spelled
+from symhaptic.scene.arms import ROTARY, UNITS, Arm, added
 from symhaptic.scene.dimensionless import per_unit, units
 from symhaptic.scene.scene import Scene
 from symhaptic.sweeps.marks import mark
@@ -72,6 +73,7 @@ IN_SI: dict[str, Meaning] = {
     "K": _symbol("K"),
     "B": _symbol("B"),
     "mass": _symbol("m"),
+    "inertia": Meaning("kg", "moment of inertia of the device", "J"),
     "sampling_period": _symbol("T"),
     "damping": _symbol("b"),
     "stiffness": _symbol("k"),
@@ -79,7 +81,14 @@ IN_SI: dict[str, Meaning] = {
     "delay_samples": _symbol("d"),
     "frequency_hz": Meaning("Hz", "frequency of the swing", "f"),
 }
-"""Arguments of a scene and its walls."""
+"""Arguments of a scene and its walls; those of a rotary scene have other units, see below."""
+
+
+def in_si(meaning: Meaning, rotary: bool) -> Meaning:
+    """What a number of a scene is, with its unit for a rotary device if it is one."""
+    own = ROTARY.get(spelled(meaning.unit)) if rotary else None
+    return meaning if own is None else meaning._replace(unit=said(own))
+
 
 _TRUE = Meaning("1", "whether all characteristic roots are inside the unit circle")
 _STIFFEST = (
@@ -107,6 +116,9 @@ QUANTITIES: dict[str, Quantity] = {
     "stability_boundary": Quantity("numeric.boundary", _EDGE, "fractional-boundary"),
     "max_stable_stiffness": Quantity(
         "numeric.tracing.extremes", _STIFFEST, "fractional-boundary"
+    ),
+    "limit_at": Quantity(
+        "numeric.tracing.extremes", (_STIFFEST[0], _STIFFEST[2]), "fractional-boundary"
     ),
     "delay_margin": Quantity(
         "numeric.tracing.margin", (Result("delay_margin", _ADDED),), "delay-margin"
@@ -174,11 +186,21 @@ class Work:
     in_si: bool = False
     arm: Arm | None = None
     """The arm that is added to the device, for results that count it."""
+    rotary: bool = False
+    """Whether the device turns."""
+
+    @property
+    def meanings(self) -> dict[str, Meaning]:
+        """What its arguments are."""
+        if not self.in_si:
+            return INPUTS
+        return {name: in_si(meaning, self.rotary) for name, meaning in IN_SI.items()}
 
     def __call__(self, **arrays: Any) -> tuple[Any, ...]:
         """The results for arrays that broadcast."""
         if not self.in_si:
             return self._plain(arrays)
+        arrays = {"mass" if n == "inertia" else n: values for n, values in arrays.items()}
         if self.arm is not None:
             arrays = {n: _together(self.arm, n, values) for n, values in arrays.items()}
         period, mass = arrays["sampling_period"], arrays["mass"]
@@ -258,6 +280,8 @@ def work_of(
     scene with one's own function.
     """
     name = quantity if isinstance(quantity, str) else getattr(quantity, "__name__", "")
+    if quantity == "max_stable_stiffness" and {"beta", "B"} & axes.keys():
+        name = "limit_at"
     known = QUANTITIES.get(name)
     if known is not None:
         function = getattr(import_module(f"symhaptic.{known.home}"), name)
@@ -273,16 +297,16 @@ def work_of(
         needed = tuple(n for n in needed if n in axes or takes[n].default is takes[n].empty)
         return Work(function, needed, known.results, words, name, known.statement)
     parts = [p for n in needed for p in _PARTS.get(n, (n,))]
-    results = tuple(_in_si(r) for r in known.results)
-    all_parts = (*parts, "mass", "sampling_period")
+    results = tuple(_in_si(r, scene.rotary) for r in known.results)
+    all_parts = (*parts, "inertia" if scene.rotary else "mass", "sampling_period")
     arm = None if known.passive else scene.arm
-    return Work(function, all_parts, results, words, name, known.statement, True, arm)
+    return Work(function, all_parts, results, words, name, known.statement, True, arm, scene.rotary)
 
 
-def _in_si(result: Result) -> Result:
+def _in_si(result: Result, rotary: bool) -> Result:
     name, meaning = _SI.get(result.name, (result.name, result.meaning))
     says = meaning.says or result.meaning.says.split(",")[0]
-    return Result(name, Meaning(meaning.unit, says, meaning.latex), result.kind)
+    return Result(name, in_si(meaning._replace(says=says), rotary), result.kind)
 
 
 def _own(quantity: Any, words: Mapping[str, Any], in_si: bool) -> Work:

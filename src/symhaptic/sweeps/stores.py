@@ -26,7 +26,6 @@ from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import shown
 from symhaptic.sweeps.dataset import lazily
 from symhaptic.sweeps.plan import Piece, Plan
-from symhaptic.sweeps.quantities import IN_SI, INPUTS
 
 if TYPE_CHECKING:
     import xarray
@@ -355,7 +354,7 @@ class Parquet:
         values = piece.compute()
         kept = len(piece.begin)
         shape = piece.shape[:kept]
-        meanings = IN_SI if piece.work.in_si else INPUTS
+        meanings = piece.work.meanings
         columns: dict[str, NDArray[Any]] = {}
         said: dict[str, dict[str, str]] = {}
         for name, array in piece.inputs.items():

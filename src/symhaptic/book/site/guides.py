@@ -10,7 +10,7 @@ from symhaptic.book.chapters import beside
 from symhaptic.book.site.mathml import pandoc
 
 ORDER = (
-    *("tutorial", "limits", "devices", "sweep", "howto", "verify", "check", "export"),
+    *("tutorial", "limits", "loops", "devices", "sweep", "howto", "verify", "check", "export"),
     *("reports", "security", "verdicts", "found", "statements", "speed", "design", "language"),
 )
 """Of the guides, as they are read."""

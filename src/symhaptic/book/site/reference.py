@@ -22,7 +22,7 @@ PUBLIC = tuple(symhaptic.__all__)
 GROUPS = {
     "A device in SI units": ("Scene",),
     "Stable walls": (
-        *("is_stable", "max_stable_stiffness", "delay_margin", "max_delay"),
+        *("is_stable", "max_stable_stiffness", "limit_at", "delay_margin", "max_delay"),
         *(
             "stability_boundary",
             "stable_region",

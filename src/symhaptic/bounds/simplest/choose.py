@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, Literal, NamedTuple, TypeAlias
@@ -27,7 +27,7 @@ WITHOUT = {"stiffness": 0, "damping": 1}
 
 
 class Loop(NamedTuple):
-    """A loop in SI units; what is ``None`` is not there."""
+    """A loop in SI units; what is ``None`` is not there.  ``mass`` may be a moment of inertia."""
 
     parts: Parts
     periods: Fraction
@@ -36,6 +36,8 @@ class Loop(NamedTuple):
     mass: float
     stiffness: float | None
     damping: float | None
+    unit: Callable[[str], str] = str
+    """The unit that takes the place of one for motion along a line."""
 
 
 @dataclass(frozen=True)
@@ -80,8 +82,13 @@ def _up(bound: float) -> str:
 
 def simplest(loop: Loop, rtol: float, over: Mapping[str, Range | None]) -> Simplest:
     """What :meth:`symhaptic.scene.scene.Scene.simplest` returns."""
-    _real("rtol", rtol, "> 0")
-    ranges = {name: _interval(name, value) for name, value in over.items() if value is not None}
+    if isinstance(rtol, str):
+        raise ValueError(f"rtol: {rtol!r} is not allowed; give finite numbers > 0")
+    _real("rtol", rtol, "", "> 0")
+    given = {name: value for name, value in over.items() if value is not None}
+    ranges = {
+        name: _interval(name, value, loop.unit(_UNITS[name])) for name, value in given.items()
+    }
     box, there = _box(loop, ranges)
     parts = replace(loop.parts, **{name: there[name] for name in WITHOUT})
     delay = loop.periods
@@ -137,7 +144,7 @@ def _cost(
 def _box(loop: Loop, ranges: Mapping[str, Interval]) -> tuple[Box, dict[str, bool]]:
     """Intervals of gamma, delta and beta that cover the range, and which of them are there."""
     period = decimal(loop.sampling_period)
-    mass = ranges.get("mass") or _point(loop.mass)
+    mass = ranges.get("mass") or ranges.get("inertia") or _point(loop.mass)
     box, there = [], {}
     for name, power in (("stiffness", 2), ("damping", 1), ("B", 1)):
         value = getattr(loop, name, None)
@@ -152,22 +159,22 @@ def _point(value: float) -> Interval:
     return Interval(decimal(value), decimal(value))
 
 
-def _interval(name: str, value: Range) -> Interval:
+def _interval(name: str, value: Range, unit: str) -> Interval:
     """A range as an argument gives it."""
     ends = value if isinstance(value, tuple) else (value, value)
     if len(ends) != 2:
         raise ValueError(f"{name}: {value!r} is not allowed; give a number or (lowest, highest)")
-    least = {"mass": "> 0", "B": ""}.get(name, ">= 0")
-    low, high = (_real(name, end, least) for end in ends)
+    least = {"mass": "> 0", "inertia": "> 0", "B": ""}.get(name, ">= 0")
+    low, high = (_real(name, end, unit, least) for end in ends)
     if low > high:
         raise ValueError(f"{name}: {value!r} is not allowed; give (lowest, highest)")
     return Interval(low, high)
 
 
-_UNITS = {"rtol": "", "mass": "kg", "stiffness": "N/m", "damping": "N*s/m", "B": "N*s/m"}
+_UNITS = {"mass": "kg", "inertia": "kg", "stiffness": "N/m", "damping": "N*s/m", "B": "N*s/m"}
 
 
-def _real(name: str, value: Any, least: str) -> Fraction:
-    """A finite number, in its range; a quantity of Pint's is converted."""
-    number(name, value, _UNITS[name], least)
-    return decimal(in_unit(name, value, _UNITS[name]))
+def _real(name: str, value: Any, unit: str, least: str) -> Fraction:
+    """A finite number, in its range; text and quantities of Pint are converted."""
+    number(name, value, unit, least)
+    return decimal(in_unit(name, value, unit))

@@ -175,3 +175,65 @@ def stiffest_at(beta: float, gamma: float, delta: float, delay: float) -> Extrem
         return nothing
     last = int(np.flatnonzero(good)[-1]) + 1
     return Extremum(walls[last], np.asarray(beta), angles[last])
+
+
+@kept(alpha=float, theta=float)
+@slopes.in_jax(("alpha", "theta"))
+def limit_at(
+    beta: ArrayLike, gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike
+) -> tuple[Array, Array]:
+    """The largest stable alpha = K T^2/m with a damping, and the angle of its roots on the circle.
+
+    Takes beta = B T/m and the loop as for :func:`max_stable_stiffness`; arrays broadcast.  NaN if
+    no stiffness makes the loop stable, and with a :class:`RuntimeWarning` if pieces of the
+    boundary are missed.
+
+    >>> alpha, theta = limit_at([0.0, 0.4, 3.0], 0.0, 0.0, 0)  # 2 beta (2 - beta)/(2 + beta)
+    >>> alpha.round(6).tolist()
+    [nan, 0.533333, nan]
+    """
+    given = Given(beta=beta, gamma=gamma, delta=delta, delay=delay)
+    work = partial(arguments.in_blocks, _limits_at)
+    alpha, theta = given.by_numpy(work, 2)
+    return alpha, theta
+
+
+def _limits_at(*loops: Array) -> Array:
+    found = np.full((2, *np.broadcast_shapes(*(a.shape for a in loops))), np.nan)
+    for i, (beta, *loop) in enumerate(np.nditer(loops)):
+        if not np.isnan(beta + sum(loop)):
+            try:
+                alpha, _, theta = stiffest_at(float(beta), *map(float, loop))
+                found[:, i] = alpha, theta
+            except NotTraced as missed:
+                warnings.warn(f"{missed}; it is NaN here", RuntimeWarning, stacklevel=2)
+    return found
+
+
+_INSIDE = np.arange(1, 16) / 16
+"""Parts of an interval of dampings at which the loop has to be stable."""
+
+
+def dampings_at(alpha: float, gamma: float, delta: float, delay: float) -> Array:
+    """All dampings of stable walls with a given stiffness, as rows of lowest and highest.
+
+    The ends are open.  Between neighbouring dampings at which the explicit boundary or the line of
+    a root at -1 has this stiffness, the count of unstable roots does not change.  Raises
+    :class:`ValueError` where it does, because pieces of the boundary are missed.
+    """
+    nothing = np.zeros((0, 2))
+    if stuck(np.asarray(gamma), np.asarray(delta)) or alpha <= -gamma:
+        return nothing
+    loop = Loop(gamma, delta, delay)
+    theta = loop.meets(lambda stiffness, _: stiffness - alpha)
+    line = [] if loop.line is None else [(loop.line - alpha) / 2]
+    ends = np.unique(np.concatenate([loop.curve(theta)[:, 1], line]))
+    ends = ends[np.abs(ends) < _FARTHEST]
+    low, high = ends[:-1, None], ends[1:, None]
+    good = stability.is_stable(alpha, low + (high - low) * _INSIDE, gamma, delta, delay)
+    whole = np.all(good, axis=1)
+    if np.any(whole != np.any(good, axis=1)) or (
+        not np.any(whole) and np.any(stability.is_stable(alpha, _TRIED, gamma, delta, delay))
+    ):
+        raise NotTraced(loop)
+    return np.hstack([low, high])[whole]

@@ -1,0 +1,297 @@
+"""The questions that may be asked of any loop, without units: alpha, beta and periods."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symhaptic.loops import count
+from symhaptic.loops.circle import Array, point, value
+from symhaptic.loops.loop import Loop, closed
+from symhaptic.loops.passive import Needs
+from symhaptic.loops.plant import (
+    Plant,
+    Sampled,
+    explicit_euler,
+    held,
+    moving_mass,
+    semi_implicit_euler,
+)
+from symhaptic.loops.trace import LONGEST, Trace, boundary
+from symhaptic.loops.velocity import Measured, Velocity
+
+STEPS = {
+    "hold": held,
+    "semi-implicit Euler": semi_implicit_euler,
+    "explicit Euler": explicit_euler,
+}
+"""How the device moves from one sample to the next."""
+
+_BLOCK = 4096
+"""So many walls are counted at a time: their arrays stay in the processor's cache."""
+
+
+_Told = Callable[[Loop, Array, Array], NDArray[Any]]
+
+
+class Part(Protocol):
+    """What changes the device: an actuator before it, a mass behind it."""
+
+    def before(self, plant: Plant, mass: float, period: float) -> Plant:
+        """The plant with this part."""
+
+
+@dataclass(frozen=True)
+class Engine:
+    """One loop of a device, its parts and its delay."""
+
+    gamma: float
+    delta: float
+    delay: float
+    """In sampling periods."""
+    mass: float
+    """In kg; parts have theirs in SI units."""
+    period: float
+    velocity: Velocity
+    parts: tuple[Part, ...] = ()
+    integrator: str = "hold"
+    virtual_mass: float = 0.0
+    """Of the wall, in kg."""
+
+    @property
+    def plant(self) -> Plant:
+        """The device with its parts."""
+        found = moving_mass(self.gamma, self.delta)
+        for part in self.parts:
+            found = part.before(found, self.mass, self.period)
+        return found
+
+    def at_delay(self, delay: Array | float) -> Loop:
+        """The loop at one delay, or at each of an array of them."""
+        whole = np.floor(delay)
+        if self.integrator == "hold":
+            sampled: Sampled = held(self.plant, delay - whole)
+        elif np.any(delay != whole):
+            raise ValueError(
+                f"delay: of {delay!r} periods is not allowed with integrator={self.integrator!r}; "
+                "give whole periods: a simulator has no time between its steps"
+            )
+        else:
+            sampled = STEPS[self.integrator](self.plant)
+        return closed(
+            sampled,
+            np.asarray(whole, dtype=np.int64),
+            self.velocity,
+            self.period,
+            self.virtual_mass / self.mass,
+        )
+
+    @cached_property
+    def loop(self) -> Loop:
+        """At the delay of the scene."""
+        return self.at_delay(self.delay)
+
+    @cached_property
+    def trace(self) -> Trace:
+        """The boundary of the stable walls."""
+        return Trace(self.loop)
+
+    @property
+    def no_passivity(self) -> str:
+        """Why condition (4) does not tell whether walls of this loop are passive, or nothing."""
+        simulated = self.integrator != "hold"
+        for given, why in (
+            (simulated, f"integrator={self.integrator!r}: a simulator is no device"),
+            (bool(self.parts), "(4) is of a mass on which the force acts at once"),
+            (isinstance(self.velocity, Measured), "velocity=Measured(): (4) is of positions alone"),
+            (self.delay % 1, "delay: with a filter (4) is of whole periods"),
+        ):
+            if given:
+                return why
+        return ""
+
+    @cached_property
+    def needs(self) -> Needs:
+        """What walls need of the device's damping, where (4) tells it."""
+        if self.no_passivity:
+            raise ValueError(f"{self.no_passivity}; passivity is not told, ask for stability")
+        return Needs(
+            self.velocity, math.floor(self.delay), self.period, self.virtual_mass / self.mass
+        )
+
+    def is_stable(self, alpha: Array, beta: Array) -> NDArray[np.bool_]:
+        """Whether walls are stable; NaN is not."""
+        return np.asarray(self._each(count.is_stable, alpha, beta, bool))
+
+    def unstable_roots(self, alpha: Array, beta: Array) -> Array:
+        """Roots outside the unit circle; NaN on the boundary."""
+        return np.asarray(self._each(count.unstable_roots, alpha, beta, float))
+
+    def _each(self, function: _Told, alpha: Array, beta: Array, kind: type) -> Array:
+        alpha, beta = np.broadcast_arrays(np.asarray(alpha, float), np.asarray(beta, float))
+        found: Array = np.zeros(alpha.size, dtype=kind)
+        if kind is float:
+            found[:] = np.nan
+        known = np.flatnonzero(np.isfinite(alpha.ravel()) & np.isfinite(beta.ravel()))
+        for start in range(0, len(known), _BLOCK):
+            here = known[start : start + _BLOCK]
+            found[here] = function(self.loop, alpha.ravel()[here], beta.ravel()[here])
+        return found.reshape(alpha.shape)
+
+    def passivity_margin(self, alpha: Array, beta: Array) -> Array:
+        """The damping delta less what walls need; -inf for alpha < 0, NaN for NaN."""
+        alpha, beta = np.broadcast_arrays(np.asarray(alpha, float), np.asarray(beta, float))
+        K, B = alpha.ravel(), beta.ravel()
+        found = np.full(K.shape, np.nan)
+        known = np.flatnonzero(~np.isnan(K) & ~np.isnan(B))
+        for start in range(0, len(known), _BLOCK // 8):
+            here = known[start : start + _BLOCK // 8]
+            found[here] = self.delta - self.needs.required(K[here], B[here])[0]
+        return found.reshape(alpha.shape)
+
+    def is_passive(self, alpha: Array, beta: Array) -> NDArray[np.bool_]:
+        """Whether no motion of the device extracts energy; its margin is at least a last place."""
+        return np.asarray(self.passivity_margin(alpha, beta) >= -_LEAST * self.delta)
+
+    def stable_delays(
+        self, alpha: float, beta: float, first: float, last: float
+    ) -> list[tuple[float, float]]:
+        """The windows of the delay, in periods, in which a wall is stable.
+
+        A root is on the circle where the phase between the two parts passes 0 at an angle of
+        |A| = |W|.  In a cell of the delay that phase turns by less than half a radian.
+        """
+        fastest = self._fastest(alpha, beta)
+        cells = math.ceil((last - first) * min(8.0, 2 * fastest + 1.0))
+        grid = np.linspace(first, last, cells + 2)
+        phase = self._phases(alpha, beta, grid)
+        one, two = phase[:-1], phase[1:]
+        with np.errstate(invalid="ignore"):
+            there = (one * two <= 0) & (np.abs(one - two) < 2.0)
+        rows, slots = np.nonzero(there)
+        low, high = self._zero(alpha, beta, slots, grid[rows], grid[rows + 1])
+        # where a pair of angles comes or goes no phase tells; the verdicts of such cells do
+        other = (np.isnan(one) != np.isnan(two)).any(axis=1)
+        changed = np.concatenate([grid[:-1][other], grid[1:][other]])
+        ends = np.unique(np.concatenate([grid[[0, -1]], (low + high) / 2, changed]))
+        middles = (ends[1:] + ends[:-1]) / 2
+        told = self._stable_at(alpha, beta, middles)
+        found: list[tuple[float, float]] = []
+        for start, end, stable in zip(ends[:-1], ends[1:], told, strict=True):
+            if stable and found and found[-1][1] == start:
+                found[-1] = (found[-1][0], float(end))
+            elif stable:
+                found.append((float(start), float(end)))
+        return found
+
+    def _zero(
+        self, alpha: float, beta: float, slots: NDArray[np.intp], low: Array, high: Array
+    ) -> tuple[Array, Array]:
+        """Delays between which the phases at some angles change their signs.
+
+        By the Illinois rule: the secant's step, and half the value of an end that stays twice.
+        """
+        if not len(slots):
+            return low, high
+        each = np.arange(len(slots))
+        at_low, at_high = (self._phases(alpha, beta, x)[each, slots] for x in (low, high))
+        before = np.zeros(len(slots), dtype=bool)
+        for _ in range(_STEPS):
+            with np.errstate(divide="ignore", invalid="ignore"):
+                middle = high - at_high * (high - low) / (at_high - at_low)
+            outside = ~((middle > low) & (middle < high))
+            middle = np.where(outside, (low + high) / 2, middle)
+            now = self._phases(alpha, beta, middle)[each, slots]
+            same = (now > 0) == (at_low > 0)
+            again = same == before
+            at_high = np.where(same, np.where(again, at_high / 2, at_high), now)
+            at_low = np.where(same, now, np.where(again, at_low / 2, at_low))
+            low, high = np.where(same, middle, low), np.where(same, high, middle)
+            before = same
+        near = np.abs(at_low) < np.abs(at_high)
+        found = np.where(near, low, high)
+        return found, found
+
+    def _stable_at(self, alpha: float, beta: float, delays: Array) -> NDArray[np.bool_]:
+        found = [
+            count.is_stable(self.at_delay(part), np.array(alpha), np.array(beta))
+            for part in np.array_split(delays, len(delays) // _BLOCK + 1)
+        ]
+        return np.concatenate(found)
+
+    def _fastest(self, alpha: float, beta: float) -> float:
+        """The largest angle of |A| = |W| at any part of a period; 0 if there is none."""
+        angles = self._equal(alpha, beta, np.linspace(0, 1, 32, endpoint=False))[0]
+        return float(np.nanmax(angles, initial=0.0))
+
+    def _phases(self, alpha: float, beta: float, delays: Array) -> Array:
+        """At each delay, the phase between both parts at each angle where they are equal."""
+        return self._equal(alpha, beta, delays)[1]
+
+    def _equal(self, alpha: float, beta: float, delays: Array) -> tuple[Array, Array]:
+        """The angles of |A| = |W| at each delay, and the phase between z^M A and -W there."""
+        loop = self.at_delay(delays)
+        shape = loop.M.shape
+        A = np.broadcast_to(loop.A, (*shape, loop.A.shape[-1]))
+        W = np.broadcast_to(loop.wall(np.array(alpha), np.array(beta)), (*shape, loop.X.shape[-1]))
+        theta = count.equal(A, W, loop.in_z)
+        late = np.exp(1j * loop.M[..., None] * theta) * value(A[:, None, :], point(theta, False))
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return theta, np.angle(-late / value(W[:, None, :], point(theta, loop.in_z)))
+
+    def stability_boundary(self, theta: Array) -> tuple[Array, Array]:
+        """alpha and beta of the walls with which the loop swings at these angles."""
+        return boundary(self.loop, np.asarray(theta, dtype=float))
+
+    def max_delay(self, alpha: Array, beta: Array) -> Array:
+        """The delays in periods up to which walls are stable; 0 for those that never are."""
+        return self._until(alpha, beta, 0.0, 0.0)
+
+    def delay_margin(self, alpha: Array, beta: Array) -> Array:
+        """The delays in periods that may be added until walls are unstable."""
+        return self._until(alpha, beta, self.delay, self.delay)
+
+    def _until(self, alpha: Array, beta: Array, first: float, less: float) -> Array:
+        alpha, beta = np.broadcast_arrays(np.asarray(alpha, float), np.asarray(beta, float))
+        if self.integrator != "hold":
+            raise ValueError(
+                f"integrator: {self.integrator!r} is not allowed for a margin of the delay; "
+                "a simulator has no time between its steps"
+            )
+        found = np.full(alpha.shape, np.nan)
+        for place in np.argwhere(np.isfinite(alpha) & np.isfinite(beta)):
+            at = tuple(place)
+            found[at] = self._stable_until(float(alpha[at]), float(beta[at]), first) - less
+        return found
+
+    def _stable_until(self, alpha: float, beta: float, first: float) -> float:
+        """The end of the window of delays that begins at ``first``, which is there if it is empty.
+
+        Infinite if no angle has |A| = |W| at any part of a period, because nothing can change.
+        """
+        if not self._stable_at(alpha, beta, np.array([first]))[0]:
+            return first
+        if self._fastest(alpha, beta) == 0:
+            return math.inf
+        width, start = 4.0, first
+        while start < LONGEST:
+            windows = self.stable_delays(alpha, beta, start, start + width)
+            if not windows or windows[0][0] > start:
+                return start
+            if windows[0][1] < start + width:
+                return windows[0][1]
+            start, width = start + width, 2 * width
+        return math.nan
+
+
+_STEPS = 14
+"""Of the Illinois rule, whose errors shrink with the power 1.44: from 1/8 of a period to 1e-15."""
+
+_LEAST = 1e-12
+"""What a passive wall needs is told to about this part; the border itself counts as passive."""

@@ -1,0 +1,112 @@
+"""p = z^M A + K X + B Y + E: the characteristic polynomial of a loop, affine in the wall.
+
+K and B are in units of the mass and the period, as alpha and beta of the paper.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import reduce
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symhaptic.loops.number import Polynomial, product, scaled, total
+from symhaptic.loops.plant import Sampled, transfer
+from symhaptic.loops.velocity import Measured, Velocity
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Loop:
+    """Loops, one or an array of them; coefficients on the last axis, the lowest power first.
+
+    The powers are those of w = z - 1.  For differences over many samples X, Y and E are in powers
+    of z, because the coefficients of (1 + w)^50 have more digits than a float.
+    """
+
+    A: Array
+    """Of the device and the filter; of the highest degree, so that p has M + its degree."""
+    X: Array
+    Y: Array
+    E: Array
+    """Of the wall's virtual mass."""
+    M: NDArray[np.int64]
+    in_z: bool = False
+
+    @property
+    def degree(self) -> NDArray[np.int64]:
+        """How many roots the loop has."""
+        return np.asarray(self.M + (self.A.shape[-1] - 1))
+
+    def wall(self, K: Array, B: Array) -> Array:
+        """Coefficients of K X + B Y + E."""
+        return K[..., None] * self.X + B[..., None] * self.Y + self.E
+
+
+_SHORT = 4
+"""Up to so many samples a mean is written in powers of w."""
+
+
+def closed(
+    sampled: Sampled,
+    whole: NDArray[np.int64],
+    velocity: Velocity,
+    period: float,
+    virtual_mass: float = 0.0,
+) -> Loop:
+    """The loop of a sampled device, ``whole`` periods of delay beside its part of one, and a wall.
+
+    ``virtual_mass`` is M/m of a wall that adds M (1 - 1/z)^2/T^2 to its force.
+    """
+    long = velocity.over > _SHORT
+    z: Polynomial = (0, 1) if long else (1, 1)
+    w: Polynomial = (-1, 1) if long else (0, 1)
+
+    def own(polynomial: Polynomial) -> Polynomial:
+        """A polynomial in w, in the powers of this loop."""
+        *others, last = polynomial
+        return reduce(lambda sum_, each: total(product(sum_, w), (each,)), others[::-1], (last,))
+
+    def seen(row: Array) -> Polynomial:
+        early, _ = transfer(sampled, row, sampled.early)
+        if not sampled.late.any():
+            return own(_split(early))
+        late, _ = transfer(sampled, row, sampled.late)
+        return total(product(own(_split(early)), z), own(_split(late)))
+
+    def to_the(power: int) -> Polynomial:
+        return reduce(product, [z] * power, (1,))
+
+    _, device = transfer(sampled, sampled.position, sampled.early)
+    place = seen(sampled.position)
+    rest: Polynomial = (1,)
+    late = n = 0
+    if isinstance(velocity, Measured):
+        Y = seen(sampled.velocity)
+    elif long:
+        n, late = velocity.over, velocity.over
+        Y = scaled(1 / n, product(place, (-1, *[0] * (n - 1), 1)))
+    else:
+        above, below, n = velocity.ratio(period)
+        rest, late = below, n
+        Y = product(place, above)
+    late = max(late, 2 if virtual_mass else 0)
+    Y = product(Y, to_the(late - n))
+    X = product(product(place, rest), to_the(late))
+    E: Polynomial = (0,)
+    if virtual_mass:
+        E = scaled(virtual_mass, product(product(place, rest), product(w, w)))
+        E = product(E, to_the(late - 2))
+    more = late + bool(sampled.late.any())
+    A = product(_split(device), rest)
+    return Loop(_joined(A), _joined(X), _joined(Y), _joined(E), np.asarray(whole) + more, long)
+
+
+def _split(coefficients: Array) -> Polynomial:
+    return tuple(np.moveaxis(coefficients, -1, 0))
+
+
+def _joined(coefficients: Polynomial) -> Array:
+    return np.stack(np.broadcast_arrays(*(np.asarray(c, dtype=float) for c in coefficients)), -1)

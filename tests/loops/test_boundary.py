@@ -1,0 +1,130 @@
+"""Boundaries, limits and windows of loops with further parts.
+
+The reference is mpmath's matrix exponential of 40 digits: 1 + P(z) (K + B V(z)) = 0 solved at an
+angle, with V(z) as control texts write the filter.
+"""
+
+import mpmath as mp
+import numpy as np
+import pytest
+from loops.oracle import device, matrix
+from loops.test_count import PARTS, VELOCITIES
+
+from symhaptic import LowPass, Scene
+from symhaptic.loops.engine import Engine
+
+mp.mp.dps = 40
+
+
+def filters(z):
+    """V(z) of four velocities, periods of 1."""
+    difference = 1 - 1 / z
+    s, backward = 2 * (z - 1) / (z + 1), 1 - 1 / z
+    ratio = mp.sqrt(mp.mpf(1) / 2)
+    tau, double = mp.mpf("2.5"), mp.mpf(2)
+    return {
+        "difference": difference,
+        "Tustin": difference / (tau * s + 1),
+        "second order": difference / (double**2 * backward**2 + 2 * ratio * double * backward + 1),
+        "long window": (1 - z**-12) / 12,
+    }
+
+
+def exact(gamma, delta, delay, own, name, theta):
+    """K and B, exact to many digits."""
+    A, b, x, _ = device(gamma, delta, **own)
+    n, whole = len(b), int(delay)
+    part, z = mp.mpf(delay) - whole, mp.expj(mp.mpf(theta))
+
+    def under(time):
+        both = mp.zeros(n + 1)
+        for i in range(n):
+            for j in range(n):
+                both[i, j] = mp.mpf(float(A[i, j])) * time
+            both[i, n] = mp.mpf(float(b[i])) * time
+        both = mp.expm(both)
+        return both[:n, :n], both[:n, n]
+
+    step, _ = under(mp.mpf(1))
+    on, early = under(1 - part)
+    late = on * under(part)[1]
+    state = mp.lu_solve(z * mp.eye(n) - step, early + late / z)
+    P = sum(mp.mpf(float(x[i])) * state[i] for i in range(n)) * z**-whole
+    wanted, V = -1 / P, filters(z)[name]
+    B = wanted.imag / V.imag
+    return wanted.real - B * V.real, B
+
+
+@pytest.mark.parametrize("name", ["difference", "Tustin", "second order", "long window"])
+@pytest.mark.parametrize("parts", ["plain", "lag", "motor"])
+def test_the_boundary_to_12_digits_of_its_scale(name, parts):
+    rng = np.random.default_rng(3)
+    for delay in (0.0, 2.0, 3.25):
+        gamma, delta = 10 ** rng.uniform(-5, 0), 10 ** rng.uniform(-4, 0)
+        engine = Engine(gamma, delta, delay, 1.0, 1.0, VELOCITIES[name][0], PARTS[parts][0])
+        theta = 10 ** rng.uniform(-3, np.log10(3.1), 8)
+        K, B = engine.stability_boundary(theta)
+        for at, k, c in zip(theta, K, B, strict=True):
+            true_K, true_B = exact(gamma, delta, delay, PARTS[parts][1], name, at)
+            # the determinant of two masses has four rows: its last digits count at small angles
+            scale = max(abs(true_K) + abs(true_B), 0.01 if parts == "motor" else 0)
+            assert abs(k - true_K) + abs(c - true_B) < 1e-12 * scale, (delay, at)
+
+
+def test_a_limit_is_a_supremum():
+    """Just below it is stable, just above it is not; K = 0 is stable with any damper."""
+    for name in ("weight", "second order by Tustin", "window", "measured"):
+        for parts in PARTS:
+            engine = Engine(0.0, 0.05, 1.5, 1.0, 1.0, VELOCITIES[name][0], PARTS[parts][0])
+            B = np.linspace(-0.02, 0.3, 9)
+            K, _ = engine.trace.limits(B)
+            there = ~np.isnan(K)
+            assert there.any()
+            assert engine.is_stable(K[there] * (1 - 1e-9), B[there]).all()
+            assert not engine.is_stable(K[there] * (1 + 1e-9), B[there]).any()
+            most = engine.trace.max_stiffness
+            assert most.alpha >= np.nanmax(K) * (1 - 1e-12)
+            best = most.alpha * (1 - 1e-9)
+            assert engine.is_stable(best, most.beta)
+
+
+def test_windows_of_the_delay_beside_eigenvalues():
+    """A stiff device has two windows; eigenvalues tell on which side of each end it is stable."""
+    scene = Scene(mass=0.1, damping=1.0, stiffness=3e5, sampling_period=0.001)
+    windows = scene.stable_delays(K=8e4, B=-90.0, up_to=0.008)
+    assert len(windows) == 2
+    wall, kind = VELOCITIES["difference"][1]
+    A = device(3.0, 0.01)
+
+    def stable(delay):
+        roots = np.linalg.eigvals(matrix(*A, 0.8, -0.9, delay, wall, kind))
+        return np.abs(roots).max() < 1
+
+    for low, high in windows:
+        for end, inside in ((low, 1), (high, -1)):
+            assert stable(1000 * end + 1e-6 * inside)
+            assert not stable(1000 * end - 1e-6 * inside)
+    told = [any(low < t / 1000 < high for low, high in windows) for t in np.arange(0.05, 8, 0.25)]
+    assert told == [stable(t) for t in np.arange(0.05, 8, 0.25)]
+
+
+def test_the_margin_ends_its_window():
+    scene = Scene(
+        mass=0.1, damping=1.0, sampling_period=0.001, delay=0.001, velocity=LowPass(cutoff=100)
+    )
+    margin = scene.delay_margin(K=800.0, B=2.0)
+    ((low, high),) = scene.stable_delays(K=800.0, B=2.0, up_to=0.01)
+    assert low == 0
+    assert high == pytest.approx(0.001 + margin, rel=1e-12)
+    assert scene.max_delay(800.0, 2.0) == pytest.approx(high, rel=1e-12)
+    assert scene.delay_margin(1e6, 2.0) == 0
+
+
+def test_region_of_a_paper_loop_is_the_paper_loop_s():
+    """A virtual mass of 1e-13 kg changes nothing, but the general engine answers."""
+    own = {"mass": 0.1, "damping": 0.5, "sampling_period": 0.001, "delay": 0.0015}
+    mine, paper = Scene(**own, virtual_mass=1e-13).stable_region(), Scene(**own).stable_region()
+    assert mine.area == pytest.approx(paper.area, rel=1e-5)
+    assert pytest.approx(paper.max_stiffness.K, rel=1e-9) == mine.max_stiffness.K
+    assert pytest.approx(paper.max_damping.B, rel=1e-9) == mine.max_damping.B
+    assert len(mine.corners) == len(paper.corners)
