@@ -104,7 +104,7 @@ def test_a_signal_that_comes_at_an_awkward_place_ends_the_command(number, place,
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
 @pytest.mark.parametrize("kind", KINDS)
-def test_nothing_is_left(kind, number, tmp_path):
+def test_nothing_is_left(kind, number, tmp_path, request):
     if kind in ("sweep", "mutants"):
         pytest.importorskip("xarray", reason="no xarray here: no sweeps")
     mark, here = f"symhaptic-{uuid4()}", tmp_path / "here"
@@ -122,6 +122,7 @@ def test_nothing_is_left(kind, number, tmp_path):
         stderr=subprocess.PIPE,
         text=True,
     )
+    request.addfinalizer(process.kill)
     until = time.monotonic() + 60
     begun = here / "begun"
     while len(alive(mark)) < 3 or (kind in ("sweep", "program") and not begun.exists()):
@@ -208,7 +209,7 @@ def used(tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", LONG)
-def test_nothing_is_lost_or_left_at_any_moment(kind, used):
+def test_nothing_is_lost_or_left_at_any_moment(kind, used, request):
     """After a kill each file is as it was before, or as a whole run writes it.
 
     Half of the kills come over the results of a whole run, half where nothing is yet.
@@ -245,6 +246,7 @@ def test_nothing_is_lost_or_left_at_any_moment(kind, used):
             shutil.copytree(used.parent / "whole", used, dirs_exist_ok=True)
         before = contents(used)
         process = begun()
+        request.addfinalizer(process.kill)
         time.sleep(moment)
         process.send_signal(number)
         _, said = process.communicate(timeout=60)
