@@ -145,7 +145,7 @@ def test_the_tests_of_the_sdist_can_be_collected(sdist):
     """The quick ones, those of guides and docstrings among them."""
     collect = [sys.executable, "-m", "pytest", "--collect-only"]
     found = done(collect, sdist, PYTHONPATH=str(sdist / "src"))
-    assert re.search(r"^\d{4}/\d{4} tests collected", found, re.MULTILINE), found[-500:]
+    assert re.search(r"^\d{4,}/\d{4,} tests collected", found, re.MULTILINE), found[-500:]
 
 
 def test_the_sdist_has_all_files_but_reports(sdist):
