@@ -510,7 +510,7 @@ def test_a_small_coefficient_is_not_left_out(gamma, delta, delay, K, B):
     [
         (1e300, 1.0, "gamma: 1e+300 is not allowed; give numbers 0 <= gamma <= 1e+15"),
         (1.0, 1e300, "delta: 1e+300 is not allowed; give numbers 0 <= delta <= 1e+70"),
-        ("1", 0.0, "gamma: '1' is not allowed; give finite numbers >= 0"),
+        ("1 m", 0.0, "gamma: '1 m' is not allowed; give a number"),
         (0.0, np.array([1.0, 2.0]), "delta: array([1., 2.]) is not allowed; give finite numbers"),
         (0.0, 1j, "delta: 1j is not allowed; give finite numbers >= 0"),
         (0.0, None, "delta: is missing; give gamma and delta, or none"),

@@ -31,7 +31,7 @@ def value(expr: Expr, at: dict[Symbol, mpf], digits: int = 40) -> mpf:
     Raises :class:`ArithmeticError` where the value is not found, or not real.
 
     >>> gamma, delta = sp.symbols("gamma delta")
-    >>> mpmath.nstr(value(PlantN1(gamma, delta), {gamma: mpf(0), delta: mpf(1e-300)}), 20)
+    >>> mpmath.nstr(value(entire.PlantN1(gamma, delta), {gamma: mpf(0), delta: mpf(1e-300)}), 20)
     '0.5'
     """
     return settled(_compiled(expr, tuple(at)), tuple(at.values()), digits, expr)
