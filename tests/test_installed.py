@@ -159,9 +159,10 @@ def test_the_sdist_has_all_files_but_reports(sdist):
 
 def test_the_wheel_has_all_that_its_commands_read(sdist, inside):
     """Templates, scripts, styles and types beside the modules, chapters, guides and records."""
-    for path in (p for p in sdist.rglob("*") if p.is_file()):
+    for path in (p for p in sdist.rglob("*") if p.is_file() and p.suffix != ".pyc"):
         name = path.relative_to(sdist)
-        if name.parts[:2] == ("src", "symhaptic") and path.suffix not in (".c", ".h", ".so"):
+        source = path.suffix in (".c", ".cpp", ".h", ".so")
+        if name.parts[:2] == ("src", "symhaptic") and not source:
             assert (inside / name.relative_to("src/symhaptic")).exists(), name
         if name.parts[0] in ("derivations", "docs", "reports"):
             assert (inside / name).exists(), name
@@ -242,6 +243,7 @@ COMMANDS = [
     ("check table", "check --formula eq11 --format table --points 5", ","),
     ("limits", "limits device.toml", "N/m"),
     ("limits drawn", "limits device.toml -o walls.svg", ""),
+    ("controller", "controller stiff.toml -o wall", "wrote"),
     ("trace", "trace --gamma 0.001 --delta 0.02 --delay 1.5 -o region.svg", ""),
     ("jury", "jury 1 --gamma 0.001 --delta 0.02", "alpha"),
     ("bench", "bench --quick -o measured", "tables and plots"),
@@ -254,6 +256,7 @@ def folder(tmp_path_factory):
     """A folder with the files that a user of the commands has."""
     folder = tmp_path_factory.mktemp("used")
     (folder / "device.toml").write_text(DEVICE)
+    (folder / "stiff.toml").write_text(DEVICE + '[wall]\nK = "0.4 N/mm"\nB = 5\n')
     (folder / "mine.py").write_text(MINE)
     (folder / "swept.py").write_text(SWEPT)
     (folder / "notes").mkdir()
