@@ -74,10 +74,10 @@ def _difference(page):
     [right] = read(RIGHT)
     symbols, given, _ = taken_apart(CLAIMED[TAKEN]((right,)))
     page.step(
-        "The bound exceeds that for a difference of two samples by",
-        2 * B / T - right.rhs,
-        4 * B**2 / (2 * m + B * T),
-        because="little for little damping; towards $BT=2m$ the difference is all of it",
+        "The bound is this many times that for a difference of two samples",
+        (2 * B / T) / right.rhs,
+        (2 * m + B * T) / (2 * m - B * T),
+        because="close to 1 for little damping, and without bound towards $BT=2m$",
     )
     wall = {K: S.One, B: S.One, T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero}
     driven = {alpha: S.One, beta: S.One, gamma: S.Zero, delta: S.Zero, d: S.Zero}
