@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from loops.test_boundary import filters
 
-from symhaptic import Average, LowPass, Scene, Window
+from symhaptic import Average, Filter, LowPass, Scene, Window
 from symhaptic.loops.engine import Engine
 from symhaptic.loops.passive import Needs
 from symhaptic.loops.velocity import Difference
@@ -87,3 +87,18 @@ def test_where_passivity_cannot_be_told_it_says_so(part, why):
         scene.is_passive(1.0, 0.0)
     assert why in str(caught.value)
     assert "not told" in scene.describe()
+
+
+@pytest.mark.parametrize("apart", [1e-2, 1e-4, 1e-6])
+@pytest.mark.parametrize("angle", [0.1, 0.8, 2.5])
+def test_a_resonance_of_the_filter_is_not_missed(angle, apart):
+    """Its peak is as narrow as its pole is near to the circle; a wall needs what it needs there."""
+    pole = 1 - apart
+    below = [1.0, -2 * pole * np.cos(angle), pole**2]
+    needs = Needs(Filter([sum(below)], below), 1, 1.0)
+    theta = angle + apart * np.linspace(-30, 30, 2001)
+    z = np.exp(1j * theta)
+    V = (1 - 1 / z) * sum(below) / (below[0] + below[1] / z + below[2] / z**2)
+    for K, B in ((0.1, 0.3), (0.1, -0.3)):
+        each = ((1 - 1 / z) / z * (K + B * V)).real / (2 - 2 * np.cos(theta))
+        assert needs.required(np.array(K), np.array(B))[0][0] >= each.max() * (1 - 1e-6)

@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from symhaptic.cli.shared import app, refuse
+
+
+class Precision(StrEnum):
+    """What the C code computes with."""
+
+    double = "double"
+    single = "single"
 
 
 @app.command()
@@ -18,7 +26,9 @@ def controller(
     output: Annotated[
         Path, typer.Option("-o", metavar="DIR", help="Folder of the C files.")
     ] = Path("wall"),
-    single: Annotated[bool, typer.Option("--single", help="Compute in float.")] = False,
+    precision: Annotated[
+        Precision, typer.Option("--precision", help="Compute in double or in float.")
+    ] = Precision.double,
 ) -> None:
     """Write the wall of a device as C: its force from the position, with the velocity filter.
 
@@ -33,7 +43,7 @@ def controller(
         found = read(device)
         if found.wall is None:
             refuse(f"{device}: has no wall; give a table [wall] with K and B")
-        made = files(found.scene, *found.wall, single)
+        made = files(found.scene, *found.wall, single=precision is Precision.single)
         listing = "\n".join(sorted([*made, request.LISTING])) + "\n"
         request.write({**made, request.LISTING: listing}, output)
     except (BadDevice, Refused) as wrong:

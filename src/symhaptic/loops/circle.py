@@ -58,6 +58,39 @@ def imaginary(coefficients: Array) -> Array:
     return coefficients @ parts[:size, : max(size - 1, 1)]
 
 
+def roots(coefficients: Array) -> Complex:
+    """About where the roots are; eigenvalues of the companion matrix, by LAPACK."""
+    n = coefficients.shape[-1] - 1
+    largest = np.abs(coefficients).max(axis=-1, keepdims=True)
+    lead = coefficients[..., -1:]
+    lead = np.where(np.abs(lead) > 1e-12 * largest, lead, 1e-12 * largest)
+    matrix = np.zeros((*coefficients.shape[:-1], n, n))
+    matrix[..., np.arange(1, n), np.arange(n - 1)] = 1.0
+    matrix[..., -1] = -coefficients[..., :-1] / np.where(lead == 0, 1.0, lead)
+    return np.asarray(np.linalg.eigvals(matrix), dtype=complex)
+
+
+def beside(z: Complex, multiples: Array) -> Array:
+    """Angles next to roots: where they are nearest to the circle, and multiples of their distance.
+
+    On that scale a quotient bends of which they are zeros or poles.
+    """
+    angle, apart = np.abs(np.angle(z)), np.abs(np.abs(z) - 1)
+    found = angle[..., None] + apart[..., None] * multiples
+    return np.asarray(found.reshape(*z.shape[:-1], -1))
+
+
+def grid(uniform: Array, first: float, *polynomials: Array) -> Array:
+    """Angles from ``first`` on that see each bend of quotients of polynomials in w."""
+    near = [beside(roots(q) + 1, _FINE) for q in polynomials if q.shape[-1] > 1]
+    found = np.concatenate([uniform, *near])
+    found = found[np.isfinite(found) & (found > first) & (found <= uniform[-1])]
+    return np.unique(np.concatenate([np.geomspace(first, min(1.0, uniform[-1]), 400), found]))
+
+
+_FINE = np.concatenate([-np.geomspace(1e3, 0.02, 80), [0.0], np.geomspace(0.02, 1e3, 80)])
+
+
 def real_roots(coefficients: Array) -> Array:
     """Where polynomials change their signs for 0 < x < 4; the rest of the last axis is 4.
 

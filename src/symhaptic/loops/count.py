@@ -9,6 +9,7 @@ these their turns are principal values.
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,19 +18,24 @@ from numpy.typing import NDArray
 from symhaptic.loops.circle import (
     Array,
     Complex,
+    beside,
     imaginary,
     point,
     real_roots,
+    roots,
     squared,
     value,
 )
 from symhaptic.loops.loop import Loop
 from symhaptic.numeric.compiled import kernels_used
 
-if TYPE_CHECKING or kernels_used() == "compiled":
+if TYPE_CHECKING:
     from symhaptic.loops import _count
 else:
     _count = None
+    if kernels_used() == "compiled":
+        with suppress(ImportError):  # each extension is optional of its own
+            from symhaptic.loops import _count
 
 
 def roots_inside(loop: Loop, K: Array, B: Array) -> tuple[Array, Array]:
@@ -164,7 +170,7 @@ def _many(A: Array, W: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
     """
     size = W.shape[-1]
     grid = np.concatenate([np.geomspace(1e-6, 0.1, 60), np.linspace(0, np.pi, 8 * size)])
-    near = [_next_to(_roots(A) + 1), _next_to(_roots(W)), grid]
+    near = [beside(roots(A) + 1, _AROUND), beside(roots(W), _AROUND), grid]
     rows = (np.broadcast_to(each, (*W.shape[:-1], each.shape[-1])) for each in near)
     theta = np.sort(np.clip(np.concatenate(list(rows), axis=-1), 0.0, np.pi), axis=-1)
     device, wall = _both(A, W, theta, True)
@@ -182,24 +188,8 @@ def _many(A: Array, W: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
     return theta, high, np.take_along_axis(changes, first, axis=-1)
 
 
-def _roots(coefficients: Array) -> Complex:
-    """About where the roots are; eigenvalues of the companion matrix, by LAPACK."""
-    n = coefficients.shape[-1] - 1
-    largest = np.abs(coefficients).max(axis=-1, keepdims=True)
-    lead = coefficients[..., -1:]
-    lead = np.where(np.abs(lead) > 1e-12 * largest, lead, 1e-12 * largest)
-    matrix = np.zeros((*coefficients.shape[:-1], n, n))
-    matrix[..., np.arange(1, n), np.arange(n - 1)] = 1.0
-    matrix[..., -1] = -coefficients[..., :-1] / np.where(lead == 0, 1.0, lead)
-    return np.asarray(np.linalg.eigvals(matrix), dtype=complex)
-
-
-def _next_to(z: Complex) -> Array:
-    """Angles at which roots are nearest to the circle, and some of their distances around."""
-    angle, apart = np.abs(np.angle(z)), np.abs(np.abs(z) - 1)
-    around = np.array([-9.0, -3.0, -1.0, -0.3, 0.0, 0.3, 1.0, 3.0, 9.0])
-    found = angle[..., None] + apart[..., None] * around
-    return np.asarray(found.reshape(*z.shape[:-1], -1))
+_AROUND = np.array([-9.0, -3.0, -1.0, -0.3, 0.0, 0.3, 1.0, 3.0, 9.0])
+"""In units of the distance of a root from the circle, where it is looked at."""
 
 
 def crossing(loop: Loop, theta: Array) -> tuple[Complex, Complex, Complex, Complex]:

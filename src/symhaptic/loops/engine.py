@@ -156,8 +156,8 @@ class Engine:
         return found.reshape(alpha.shape)
 
     def is_passive(self, alpha: Array, beta: Array) -> NDArray[np.bool_]:
-        """Whether no motion of the device extracts energy; its margin is at least a last place."""
-        return np.asarray(self.passivity_margin(alpha, beta) >= -_LEAST * self.delta)
+        """Whether no motion of the device extracts energy."""
+        return np.asarray(self.passivity_margin(alpha, beta) >= 0)
 
     def stable_delays(
         self, alpha: float, beta: float, first: float, last: float
@@ -292,6 +292,3 @@ class Engine:
 
 _STEPS = 14
 """Of the Illinois rule, whose errors shrink with the power 1.44: from 1/8 of a period to 1e-15."""
-
-_LEAST = 1e-12
-"""What a passive wall needs is told to about this part; the border itself counts as passive."""

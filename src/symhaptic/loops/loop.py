@@ -11,11 +11,10 @@ from functools import reduce
 import numpy as np
 from numpy.typing import NDArray
 
+from symhaptic.loops.circle import Array
 from symhaptic.loops.number import Polynomial, product, scaled, total
 from symhaptic.loops.plant import Sampled, transfer
 from symhaptic.loops.velocity import Measured, Velocity
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -16,11 +16,9 @@ from math import comb
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from symhaptic.loops.circle import Array
 from symhaptic.loops.plant import Plant, arrays, grown
-
-Array = NDArray[np.float64]
 
 POWERS = "wall", "outside", "damper", "friction"
 """Powers of the forces of the wall and from outside, and losses of damper and friction."""

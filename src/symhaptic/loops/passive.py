@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from symhaptic.loops.circle import Array, Complex, point, value
+from symhaptic.loops.circle import Array, Complex, grid, point, value
 from symhaptic.loops.loop import SHORT
 from symhaptic.loops.velocity import Velocity
 
@@ -19,7 +19,8 @@ from symhaptic.loops.velocity import Velocity
 class Needs:
     """What walls need of a device's damping, in units of the mass and the period.
 
-    ``delay`` counts whole periods; ``virtual_mass`` is M/m.
+    The worst angle is searched on a grid that sees each turn of the delay and each resonance of the
+    filter, and refined.  That is accurate, but no proof.  ``delay`` counts whole periods; ``virtual_mass`` is M/m.
     """
 
     def __init__(
@@ -28,12 +29,13 @@ class Needs:
         self.velocity, self.delay, self.period = velocity, delay, period
         self.virtual_mass = virtual_mass
         if velocity.over > SHORT:
-            turns = delay + velocity.over
+            turns, bends = delay + velocity.over, np.ones(1)
         else:
             above, below, late = velocity.ratio(period)
             turns = delay + late + len(above) + len(below)
+            bends = np.array(below, dtype=float)
         uniform = np.linspace(0, np.pi, 32 * turns + 256)
-        self.theta = np.union1d(np.geomspace(1e-9 / turns, 1.0, 200), uniform[1:])
+        self.theta = grid(uniform, 1e-9 / turns, bends)
         self.of_K, self.of_B, self.rest = self.at(self.theta)
 
     def at(self, theta: Array) -> tuple[Array, Array, Array]:
@@ -69,7 +71,9 @@ class Needs:
         edges = np.full((len(K), 1), -np.inf)
         beside = np.concatenate([edges, needs, edges], axis=1)
         peaks = np.where((needs >= beside[:, :-2]) & (needs >= beside[:, 2:]), needs, -np.inf)
-        tops = np.argsort(peaks, axis=1)[:, -_PEAKS:]
+        spread = needs.max(axis=1) - needs.min(axis=1)
+        high_enough = peaks >= (needs.max(axis=1) - _CLOSE * spread)[:, None]
+        tops = np.argsort(peaks, axis=1)[:, -max(1, int(high_enough.sum(axis=1).max())) :]
         low = self.theta[np.maximum(tops - 1, 0)]
         high = self.theta[np.minimum(tops + 1, len(self.theta) - 1)]
         part = (np.sqrt(5) - 1) / 2
@@ -141,8 +145,9 @@ class Needs:
         return float(K[top]), float(B[top]), float(theta[top])
 
 
-_PEAKS = 4
-"""So many of the highest angles of the grid are refined."""
+_CLOSE = 0.01
+"""Peaks of the grid that are lower by less than this part of the spread are refined: with 32 angles
+a turn, a peak between two of them is higher by half of a per cent at most."""
 
 _LESS = 1 - 2.0**-52
 """By the last place at least K comes down, until its wall is passive."""

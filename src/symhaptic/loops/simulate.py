@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symhaptic.loops.actuator import Lag
+from symhaptic.loops.circle import Array
 from symhaptic.loops.controller import Wall, controller
 from symhaptic.loops.engine import STEPS, Engine
-from symhaptic.loops.motion import POWERS, Array, Forms, Friction, Handle, Motion, cuts
+from symhaptic.loops.motion import POWERS, Forms, Friction, Handle, Motion, cuts
 from symhaptic.loops.plant import Plant, moving_mass
 from symhaptic.loops.structure import SecondMass
 from symhaptic.loops.system import LinearDevice

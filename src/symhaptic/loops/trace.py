@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from symhaptic.loops.circle import Array
+from symhaptic.loops.circle import Array, grid
 from symhaptic.loops.count import crossing, is_stable
 from symhaptic.loops.loop import Loop
 from symhaptic.numeric.extremum import Extremum
@@ -71,7 +71,8 @@ class Trace:
         turns = int(self.loop.M) + self.loop.A.shape[-1] + self.loop.X.shape[-1]
         first = 1e-5 / turns
         uniform = np.linspace(0, np.pi, 24 * turns + 400)[1:-1]
-        theta = np.union1d(np.geomspace(first, uniform[-1], 600), uniform)
+        bends = () if self.loop.in_z else (self.loop.X, self.loop.Y)
+        theta = grid(uniform, first, self.loop.A, *bends)
         bottom = _tops(self.loop, theta)[2]
         poles = self._halved(theta, bottom, lambda at: _tops(self.loop, at)[2])
         theta = np.union1d(theta, poles)

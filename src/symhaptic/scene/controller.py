@@ -37,8 +37,8 @@ def files(scene: DeviceLoop, K: float, B: float, single: bool = False) -> dict[s
     words = {
         "real": real,
         "f": f,
-        "K": f"{K!r}{f}",
-        "B": f"{B!r}{f}",
+        "K": f"{float(K)!r}{f}",
+        "B": f"{float(B)!r}{f}",
         "M": f"{scene.virtual_mass or 0.0!r}{f}",
         "T": f"{period!r}{f}",
         "unit_K": units["K"],

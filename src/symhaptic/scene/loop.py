@@ -175,7 +175,7 @@ class DeviceLoop:
 
         Parts in ``without`` do not matter to it.
         """
-        for name in set(self.further) - set(without):
+        for name in (name for name in self.further if name not in without):
             raise ValueError(
                 f"{name}: {shown(getattr(self, name))} is not allowed for {question}; "
                 f"leave out {name}"
