@@ -20,7 +20,8 @@ class Needs:
     """What walls need of a device's damping, in units of the mass and the period.
 
     The worst angle is searched on a grid that sees each turn of the delay and each resonance of the
-    filter, and refined.  That is accurate, but no proof.  ``delay`` counts whole periods; ``virtual_mass`` is M/m.
+    filter, and refined.  That is accurate, but no proof.  ``delay`` counts whole periods;
+    ``virtual_mass`` is M/m.
     """
 
     def __init__(
