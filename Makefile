@@ -70,10 +70,10 @@ rocq: .venv/ready
 bench: .venv/ready
 	$(BIN)/pytest benchmarks --benchmark-only
 
-.venv/ready: pyproject.toml setup.py constraints.txt $(wildcard src/symhaptic/kernels/*.[ch])
+.venv/ready: pyproject.toml setup.py constraints.txt $(wildcard src/symhaptic/*/*.[ch] src/symhaptic/*/*.cpp)
 	$(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[test]'
 	touch $@
 
 clean:
-	rm -rf .venv .rocq build src/*.egg-info src/symhaptic/kernels/*.so reports/figures reports/*.pdf
+	rm -rf .venv .rocq build src/*.egg-info src/symhaptic/*/*.so .bounds .mutation reports/figures reports/*.pdf

@@ -242,7 +242,7 @@ COMMANDS = [
     ("check list", "check --list", "eq11"),
     ("check table", "check --formula eq11 --format table --points 5", ","),
     ("limits", "limits device.toml", "N/m"),
-    ("limits drawn", "limits device.toml -o walls.svg", ""),
+    ("limits drawn", "limits device.toml -o walls.svg", "passive up to"),
     ("controller", "controller stiff.toml -o wall", "wrote"),
     ("trace", "trace --gamma 0.001 --delta 0.02 --delay 1.5 -o region.svg", ""),
     ("jury", "jury 1 --gamma 0.001 --delta 0.02", "alpha"),

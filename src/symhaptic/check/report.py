@@ -251,7 +251,7 @@ def covered(found: Found) -> dict[str, Any]:
 
 
 def _may(checked: Checked, words: str) -> bool:
-    """Whether there are such points of the function: fractional delays are none of a whole one."""
+    """Whether the function has such points: one of whole delays has none with fractional ones."""
     delay = checked.arguments.get("d")
     return delay is None or not delay.whole or not words.startswith(("fract", "delays next"))
 

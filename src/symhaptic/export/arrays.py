@@ -233,7 +233,7 @@ def mere_call(block: Block) -> Expr | None:
 
 
 def lone_expression(block: Block) -> Expr | None:
-    """The one expression of a block that is nothing else, calls nothing and is defined always."""
+    """The expression of a block that has no other, makes no calls and is defined everywhere."""
     first = block[0]
     if not isinstance(first, Return) or len(first.results) > 1:
         return None
@@ -344,7 +344,7 @@ class Scope:
         self.cases: dict[Expr, str] = {}
         """Conditions that have a name."""
         self.handed = handed_on(block)
-        """Where each call stands in whose place both of its results are handed on, and nowhere."""
+        """Calls whose two results are only passed on, and where each of them is written instead."""
         self.calls: dict[tuple[Expr, ...], str] = {}
         """How these calls are written."""
 

@@ -40,7 +40,7 @@ from symhaptic.export.statements import WIDTH, braces, wrapped
 PAIR = "Pair"
 
 MADE = {"Loop": tuple(s.name for s in WHOLE_LOOP)}
-"""Records that no routine gives: who has their numbers makes them."""
+"""Records that no routine returns: the caller builds them from their numbers."""
 
 
 @dataclass(frozen=True)
@@ -157,7 +157,7 @@ class Records:
         return [*records, *others]
 
     def places(self, routine: Routine) -> Places:
-        """Of the arguments of a routine of these, and of what any routine asks these for."""
+        """The places of records among the arguments of a routine and of its calls."""
         found = Places()
         if routine.name in self.routines:
             for part in self._parts(routine):

@@ -1,6 +1,6 @@
 """The package's own kernels: what the exporter writes for arrays and in C, committed.
 
-``kernels/ufuncs.cpp`` makes ufuncs of NumPy of the C; what it does so for is written here.
+``kernels/ufuncs.cpp`` makes NumPy's ufuncs from the C; this module writes the table that it needs.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _WRITTEN = ("*.py", "*.pyi", "*.c", "*.h")
 _UFUNCS = FOLDER / "ufuncs.cpp"
 
 _INSIDE = ("LateDevice",)
-"""Routines of the library that are ufuncs, too, for who has asked for its arguments' ranges."""
+"""Routines of the library that are ufuncs, too, for callers that have checked the ranges."""
 
 _ABOUT = '''"""How large is it, bare?  The stable forms as functions of arrays of any library.
 

@@ -416,7 +416,7 @@ def beyond(form: Form) -> str:
 
 
 def sizes(form: Form, precision: Precision) -> str:
-    """How large an argument has to be to be outside."""
+    """The sizes beyond which an argument is out of range."""
     names = {symbol.name for symbol in form.arguments}
     some = [f"larger than {_power_of_ten(precision.largest)}"] * bool(
         names - {"d", "epsilon", "theta"}

@@ -21,7 +21,7 @@ STRICT = """#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defin
 #error "this file needs IEEE arithmetic: compile it without -ffast-math, -Ofast and /fp:fast"
 #endif
 """
-"""What rewrites sums, or takes it that there is no NaN, loses the digits and the domain."""
+"""Compiler flags that reorder sums, or assume that there is no NaN, cost digits and the domain."""
 
 _LISTS = """\
 # cmake -B build && cmake --build build && ctest --test-dir build

@@ -341,7 +341,7 @@ def _calls_of(routines: Iterable[Routine], names: Iterable[str]) -> Iterable[Exp
 
 
 def _zeros(helpers: Mapping[str, Routine], public: Iterable[Routine]) -> dict[str, tuple[int, ...]]:
-    """The places of these arguments, and of those that nobody asks, by the names of the helpers."""
+    """The places of such arguments, and of unused ones, by the names of the helpers."""
     found: dict[str, set[int]] = {}
     for call in _calls_of((*helpers.values(), *public), helpers):
         zero = {i for i, arg in enumerate(call.args) if arg == 0}

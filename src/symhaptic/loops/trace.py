@@ -116,10 +116,6 @@ class Trace:
             found.append((float(X.real), float(Y.real), float((late + E).real)))
         return tuple(found)
 
-    def at_damping(self, B: Array) -> list[Walls]:
-        """All walls of a damping on the boundary, for each of several dampings."""
-        return self._at(B, self.B, 1)
-
     def at_stiffness(self, K: Array) -> list[Walls]:
         """All walls of a stiffness on the boundary, for each of several stiffnesses."""
         return self._at(K, self.K, 0)

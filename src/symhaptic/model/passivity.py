@@ -11,7 +11,7 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.model import wall
-from symhaptic.notation import B, K, T, b, d, m, omega, s, theta, z
+from symhaptic.notation import B, K, T, b, d, theta, z
 
 
 def on_circle(expr: Expr, angle: Expr = theta) -> Expr:
@@ -50,16 +50,6 @@ def dirichlet_form(angle: Expr = theta) -> Expr:
     half = sp.Rational(1, 2)
     kernel = sp.sin((d + half) * angle) / (2 * sp.sin(angle / 2))
     return K * T * kernel - B * sp.cos((d + 1) * angle)
-
-
-def balance(angle: Expr = theta) -> Expr:
-    """Re((m s^2 + b s)/s) at s = j omega, less the damping that the wall requires.
-
-    The first part is what mass and damper take from a motion at one frequency, per squared
-    velocity; that the mass takes nothing is not put in.
-    """
-    taken = ((m * s**2 + b * s) / s).xreplace({s: sp.I * omega})
-    return real_part(taken) - dirichlet_form(angle)
 
 
 def margin(angle: Expr = theta) -> Expr:

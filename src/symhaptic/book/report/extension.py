@@ -225,7 +225,7 @@ def spaced(html: str) -> str:
     for mark in root.iter(f"{{{_MATHML}}}mo"):
         if mark.get("form") == _FORMS.get(mark.text or ""):
             mark.attrib.pop("form", None)
-    # a page of HTML knows what math is, and a tenth of the site were these words
+    # HTML knows what math is, and this attribute would make up a tenth of the site
     return ElementTree.tostring(root, encoding="unicode").replace(f' xmlns="{_MATHML}"', "", 1)
 
 
@@ -271,7 +271,7 @@ class _Navigation:
         self.tree = ""
 
     def make(self, app: Sphinx, builder: StandaloneHTMLBuilder) -> None:
-        """As the page that leads to all others has it, which is not among them."""
+        """As the index page has it, which does not list itself."""
         tree = global_toctree_for_doc(
             app.env,
             app.config.root_doc,

@@ -19,11 +19,6 @@ LONGEST = Rational(1, 1000)
 x, y, y_D, y_H, k_1, k_2 = sp.symbols("x y y_D y_H k_1 k_2")
 
 
-def of_arms(given: list[object], then: Proposition) -> Proposition:
-    """For every arm and device, and gamma and delta of both."""
-    return ForAll((*ARM, gamma, delta), implied([*GIVEN, *given], then))
-
-
 @claims("eq19")
 def _numbers_of_the_arm(printed: Printed) -> Proposition:
     """What Table I makes of mass, damper and spring if these are those of (2).
