@@ -1,0 +1,55 @@
+"""Rules on the energy of motions: each is a theorem of ``Energy.v``."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sympy import cos
+
+from symhaptic.notation.terms import term
+from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.proof.theorems.roots import summands
+from symhaptic.rocq.identities import same
+from symhaptic.rocq.logic import Written
+from symhaptic.rocq.steps import Proof
+from symhaptic.rocq.terms import real_text
+from symhaptic.rocq.zeros import Lists, Powers
+
+ENERGY: dict[str, Written] = {}
+"""How a step of each rule on energy is proved."""
+
+
+def shows(write: Written) -> Written:
+    """A rule's proof, under the rule's name."""
+    ENERGY[write.__name__] = write
+    return write
+
+
+@shows
+def toeplitz(proof: Proof, theorem: Theorem) -> None:
+    """The coefficients of the filter are listed; static value and margin are those of the list."""
+    response, variable, _, angle = theorem.given
+    claim: Any = theorem.conclusion
+    static, always = claim.of[1].of
+    margin, names = always.body.of[1].right, proof.names
+    lists = Lists(proof)
+    taps = Powers(tuple((-e, c) for e, c in summands(term(response), variable)))
+    whole = sum(c for _, c in taps.terms)
+    proof.say(
+        "lazymatch goal with |- context [passive ?H ?c] => assert (F : passive H c <-> "
+        f"0 <= {real_text(static.right, names)} /\\ "
+        f"forall t : R, 0 < t < PI -> 0 <= {proof.function(angle, margin)} t) end.",
+        "{",
+        f"apply (toeplitz_as _ _ {lists.swapped(taps)}); [as_taps | |].",
+        f"- cbn [static fold_right snd]; transitivity {proof.real(whole)}; [same_field |].",
+        *(f"  {line}" for line in same(whole, static.right, names)),
+    )
+    with names.introduced(angle) as [t]:
+        proof.say(f"- intros {t} N; cbv beta; cbn [margin fold_right fst snd].")
+        for exponent, _ in taps.terms:
+            number = lists.number(exponent)
+            for at, multiple in ((f"S {number}", 1 + exponent), (number, -exponent)):
+                wanted = real_text(cos(multiple * angle), names)
+                proof.say(f"  replace (cos (INR ({at}) * {t})) with ({wanted}) by a_cosine.")
+        proof.say("  same_field.")
+    proof.say("}", "as_passive F.")
