@@ -1,12 +1,11 @@
 (* What is said of walls, and what is known of it; and the tactics that apply the theorems of Circle.v,
    HalfPlane.v, Device.v and Loop.v to terms as chapters write them. *)
-From Symhaptic Require Export Loop Energy Steady.
+From Symhaptic Require Export Loop Energy Stored Steady.
 Open Scope R_scope.
 
 (* What is not defined here yet; what is known of it stands in the axioms.  A function of z or s stands
    for a transfer function, one of v for an energy. *)
 Parameter answers : (C -> C) -> C -> C -> C -> Prop.
-Parameter passive_device : (C -> C) -> R -> R -> R -> R -> R -> Prop.
 
 Ltac gained :=
   first [reflexivity | unfold Motion.energy; rationals; numeric].

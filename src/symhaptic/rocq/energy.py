@@ -1,4 +1,4 @@
-"""Rules on the energy of motions: each is a theorem of ``Energy.v``."""
+"""Rules on the energy of motions: each is a theorem of ``Energy.v`` or ``Stored.v``."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from sympy import cos
 from symhaptic.notation.terms import term
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.theorems.roots import summands
+from symhaptic.rocq.complexes import complex_text
 from symhaptic.rocq.identities import same
 from symhaptic.rocq.logic import Written
 from symhaptic.rocq.steps import Proof
@@ -53,3 +54,18 @@ def toeplitz(proof: Proof, theorem: Theorem) -> None:
                 proof.say(f"  replace (cos (INR ({at}) * {t})) with ({wanted}) by a_cosine.")
         proof.say("  same_field.")
     proof.say("}", "as_passive F.")
+
+
+@shows
+def stored(proof: Proof, theorem: Theorem) -> None:
+    """A store that is not negative, and nothing at rest."""
+    speed, some = theorem.given[1], theorem.given[2]
+    store, names = some.conclusion.right, proof.names
+    proof.say("opened; apply stored; [assumption | assumption | |].")
+    with names.introduced(speed) as [v]:
+        there, real = complex_text(store, names), real_text(store, names)
+        proof.say(
+            f"- intro {v}; cbv beta; replace ({there})%C with (RtoC ({real})) by summed.",
+            f"  simpl; pose proof {proof.have(some)} as Q; opened; finish Q.",
+        )
+    proof.say("- transitivity (Re (RtoC 0)); [f_equal; cbv beta; summed | reflexivity].")

@@ -9,7 +9,7 @@ from pathlib import Path
 
 LIBRARY = (
     *("Prelude", "Polynomials", "Circle", "HalfPlane", "Device", "Loop"),
-    *("Energy", "Steady", "Control", "Boxes", "Zeros"),
+    *("Energy", "Stored", "Steady", "Control", "Boxes", "Zeros"),
 )
 PRELUDES = tuple(Path(__file__).with_name(f"{name}.v") for name in LIBRARY)
 """What chapters use; each uses those before it."""
