@@ -1,11 +1,6 @@
-(* What is said of walls, and what is known of it; and the tactics that apply the theorems of Circle.v,
-   HalfPlane.v, Device.v and Loop.v to terms as chapters write them. *)
-From Symhaptic Require Export Loop Energy Stored Steady.
+(* The tactics that apply the theorems of the library to terms as chapters write them. *)
+From Symhaptic Require Export Loop Energy Stored Answers.
 Open Scope R_scope.
-
-(* What is not defined here yet; what is known of it stands in the axioms.  A function of z or s stands
-   for a transfer function, one of v for an energy. *)
-Parameter answers : (C -> C) -> C -> C -> C -> Prop.
 
 Ltac gained :=
   first [reflexivity | unfold Motion.energy; rationals; numeric].
@@ -281,3 +276,23 @@ Ltac late_steady := intros; opened; around_circle; let z := fresh "z" in intros 
     refine (Cless_real _ _ _ _ _ _ (late_held_steady_state _ _ _ _ _ _ _ _ _ _ z L V _ _ _ Z One));
       try assumption; try (split; assumption); clear Z One
   end; destruct z; components.
+Ltac later_answers := intros; opened; wholes_counted;
+  match goal with E : ?p = INR ?n |- answers _ ?z ?X (RtoC ?T) <-> _ =>
+    rewrite E, Craised_number; apply (answer_later _ _ z X T n); let s := fresh "s" in intro s; cbv beta; unfold Cdiv;
+    rewrite Cmult_assoc, <- Cexp_plus; do 2 f_equal; Cpushed; ring
+  end.
+Ltac other_units := intros; opened; peeled;
+  match goal with U : 0 < ?u, F : ?f <> 0 |- _ =>
+    assert (RtoC f <> RtoC 0) by (apply Cnot_zero; exact F); assert (RtoC u <> RtoC 0) by (apply Cnot_zero; lra);
+    apply (answer_units _ _ _ _ _ _ u f); [exact U | exact F | | ring | rewrite RtoC_div by lra; reflexivity];
+    let s := fresh "s" in intro s; cbv beta; rewrite <- Cdiv_share by exact F; f_equal;
+    [f_equal; field; assumption | cbn [Cpower]; field; split; assumption]
+  end.
+Ltac amplified_answers := intros;
+  match goal with F : ?f <> 0 |- _ =>
+    apply (answer_units _ _ _ _ _ _ 1 f); [lra | exact F | | ring | f_equal; field];
+    let s := fresh "s" in intro s; cbv beta; replace (s / 1)%C with s by (field; Cnz); unfold Cdiv; ring
+  end.
+Ltac answer_unique := opened; match goal with A : answers ?P ?z ?X ?T, B : answers ?P ?z ?Y ?T |- _ =>
+    let E := fresh in assert (E := one_answer P z X Y T A B); repeat split; assumption
+  end.

@@ -79,6 +79,9 @@ ELEMENTARY = {
     "passive late wall": "late_wall_of_filter.",
     "held steady state": "whole_steady.",
     "late held steady state": "late_steady.",
+    "units": "other_units.",
+    "later": "later_answers.",
+    "amplified": "amplified_answers.",
     "rest": "intros x y [H G]; destruct (with_rest x y H G) as (p & P & Q & L); exists p; "
     "repeat split; [exact P | lra | lra].",
 }

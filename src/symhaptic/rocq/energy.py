@@ -1,4 +1,4 @@
-"""Rules on the energy of motions: each is a theorem of ``Energy.v`` or ``Stored.v``."""
+"""Rules on energy and on answers: each is a theorem of ``Energy.v``, ``Stored.v`` or ``Answers.v``."""
 
 from __future__ import annotations
 
@@ -69,3 +69,18 @@ def stored(proof: Proof, theorem: Theorem) -> None:
             f"  simpl; pose proof {proof.have(some)} as Q; opened; finish Q.",
         )
     proof.say("- transitivity (Re (RtoC 0)); [f_equal; cbv beta; summed | reflexivity].")
+
+
+@shows
+def turns(proof: Proof, theorem: Theorem) -> None:
+    """It is part of what an answer is."""
+    proof.keep(theorem.premises[0])
+    proof.say("opened; eapply answer_turns; eassumption.")
+
+
+@shows
+def one_answer(proof: Proof, theorem: Theorem) -> None:
+    """The motion is unique, and so are the numbers of the device."""
+    for premise in theorem.premises:
+        proof.keep(premise)
+    proof.say("answer_unique.")
