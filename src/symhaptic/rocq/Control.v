@@ -296,3 +296,19 @@ Ltac amplified_answers := intros;
 Ltac answer_unique := opened; match goal with A : answers ?P ?z ?X ?T, B : answers ?P ?z ?Y ?T |- _ =>
     let E := fresh in assert (E := one_answer P z X Y T A B); repeat split; assumption
   end.
+Ltac shown_transfer :=
+  let s := fresh "s" in intros s _; cbv beta; f_equal;
+  [ first [ symmetry; apply Cexp_nought; simpl INR; Cpushed; ring | f_equal; simpl INR; Cpushed; first [ring | field; Cnz] ]
+  | Cpushed; cbn [Cpower]; first [ring | field; Cnz] ].
+Lemma conditions_alike : forall (z d x n : C) (z' d' x' n' : R), z = RtoC z' -> d = RtoC d' -> (x * d = RtoC x')%C -> n = RtoC n' ->
+  ((z <> RtoC 0 /\ d <> RtoC 0 /\ (x * d = n)%C) <-> (z' <> 0 /\ d' <> 0 /\ x' = n')).
+Proof.
+  intros z d x n z' d' x' n' Z D X N; rewrite X, Z, D, N.
+  assert (A : forall r, RtoC r <> RtoC 0 <-> r <> 0).
+  { intro r; split; intros H E; apply H; [rewrite E; reflexivity | exact (RtoC_inj _ _ E)]. }
+  rewrite !A; split; intros (P & Q & E); (split; [exact P |]); (split; [exact Q |]); [exact (RtoC_inj _ _ E) | rewrite E; reflexivity].
+Qed.
+Ltac Cpulled := cbn [Cpower];
+  repeat first [ rewrite <- RtoC_plus | rewrite <- RtoC_minus | rewrite <- RtoC_mult | rewrite <- RtoC_opp
+    | rewrite <- RtoC_div by nz | rewrite <- RtoC_inv by nz ];
+  f_equal; exponentials; same_field.

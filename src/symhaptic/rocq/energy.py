@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import sympy as sp
 from sympy import cos
 
 from symhaptic.notation.terms import term
@@ -11,10 +12,10 @@ from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.theorems.roots import summands
 from symhaptic.rocq.complexes import complex_text
 from symhaptic.rocq.identities import same
-from symhaptic.rocq.logic import Written
+from symhaptic.rocq.logic import Written, evaluated
 from symhaptic.rocq.steps import Proof
-from symhaptic.rocq.terms import real_text
-from symhaptic.rocq.zeros import Lists, Powers
+from symhaptic.rocq.terms import NotPrinted, complex_, real_text
+from symhaptic.rocq.zeros import Lists, Powers, known_exponentials
 
 ENERGY: dict[str, Written] = {}
 """How a step of each rule on energy is proved."""
@@ -84,3 +85,46 @@ def one_answer(proof: Proof, theorem: Theorem) -> None:
     for premise in theorem.premises:
         proof.keep(premise)
     proof.say("answer_unique.")
+
+
+@shows
+def held_answer(proof: Proof, theorem: Theorem) -> None:
+    """Phi and Gamma obey the equation, and are evaluated where the force changes and is sampled."""
+    device, delay, _, at, answer, motion, time = theorem.given
+    names, lists = proof.names, Lists(proof)
+    mass, damping, stiffness = map(term, device)
+    periods, rest = map(term, delay)
+    if complex_(mass, damping, stiffness, rest, term(at), term(answer)):
+        raise NotPrinted("an answer that is no real number")
+    x_1, x_2, v_1, v_2, held, held_speed = map(term, motion)
+    moved = [x_1, v_1, x_2, v_2, mass * held, mass * held_speed]
+    functions = [proof.new("F") for _ in moved]
+    texts = (proof.function(time, f) for f in moved)
+    proof.say(*(f"pose ({f} := {text})." for f, text in zip(functions, texts, strict=True)))
+    given = " ".join(map(proof.real, (mass, damping, stiffness)))
+    share = proof.real(rest)
+    proof.say(
+        f"assert (M : motions ({proof.real(stiffness)} / {proof.real(mass)}) "
+        f"({proof.real(damping)} / {proof.real(mass)}) {' '.join(functions)}).",
+        "{",
+        f"unfold {', '.join(functions)}.",
+        "split; try (intro; split; (evar_last; [slope | cbv beta; derived])); at_point.",
+        "}",
+        "lazymatch goal with |- (answers ?P ?z ?X _) <-> _ =>",
+        f"  assert (A := held_answer {given} {' '.join(functions)} ltac:(nz) M P z X "
+        f"{lists.number(periods)} {share} ltac:(shown_transfer) ltac:(lra)) end.",
+        "cbv zeta in A; unfold determinant in A.",
+    )
+    for place_, there in (("1", sp.S.One), (share, rest), (f"(1 - {share})", 1 - rest)):
+        for f, name in zip(moved, functions, strict=True):
+            value = f.xreplace({time: there})
+            turns = evaluated(f.atoms(sp.Function), {time: there}, names)
+            shown = "; ".join([f"unfold {name}", *turns, "at_point"])
+            equal = f"{name} {place_} = {real_text(value, names)}"
+            proof.say(f"assert (V : {equal}) by ({shown}).", "try rewrite V in A; clear V.")
+    claim: Any = theorem.conclusion
+    known_exponentials(proof, *(t for part in claim.of[1].of for t in part.terms))
+    proof.say(
+        "apply (iff_trans A); clear A M.",
+        "apply conditions_alike; [reflexivity | Cpulled | Cpulled | Cpulled].",
+    )
