@@ -220,7 +220,7 @@ Ltac as_taps :=
     let P := fresh in assert (P := Cpower_apart z n Z);
     let q := fresh "q" in generalize dependent (Cpower z n); intros q P
   end;
-  Cpushed; first [ring | undivided; field; repeat split; Cnz].
+  Cpushed; cbn [Cpower]; first [ring | undivided; field; repeat split; Cnz].
 Lemma toeplitz_as : forall H c l (s : R) (m : R -> R), (forall z, z <> RtoC 0 -> H z = taps l z) -> static l = s ->
   (forall t, cos t < 1 -> margin c l t = m t) -> (passive H c <-> 0 <= s /\ forall t, 0 < t < PI -> 0 <= m t).
 Proof.
@@ -231,7 +231,8 @@ Ltac a_cosine := first
   [ rewrite ?Rmult_0_l, ?cos_0; reflexivity | f_equal; rewrite ?S_INR; counted_real | rewrite <- cos_neg; f_equal; rewrite ?S_INR; counted_real ].
 Ltac circled T := assert (cos T < 1) by (apply cos_below_one; lra).
 Ltac as_passive F :=
-  let P := fresh in let S := fresh in let t := fresh "t" in let A := fresh in let B := fresh in let Q := fresh in let M := fresh in
+  let P := fresh "P" in let S := fresh "S" in let t := fresh "t" in let A := fresh "A" in let B := fresh "B" in
+  let Q := fresh "Q" in let M := fresh "M" in
   split; intro P; [opened | destruct P as [S P]];
   [ match goal with G : passive _ _ |- _ => apply F in G; destruct G as [S M] end; split; [solve [finish S] |];
     intros t [A B]; circled t; specialize (M t (conj A B)); cbv beta in M; opened; repeat split; first [assumption | nz]

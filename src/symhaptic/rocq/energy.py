@@ -1,4 +1,4 @@
-"""Rules on energy and on answers: each is a theorem of ``Energy.v``, ``Stored.v`` or ``Answers.v``."""
+"""Rules on energy and answers: theorems of ``Energy.v``, ``Stored.v`` and ``Answers.v``."""
 
 from __future__ import annotations
 
