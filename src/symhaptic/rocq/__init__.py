@@ -5,7 +5,7 @@ A file says each theorem that a chapter hands over and proves it from its leaves
 answer is checked, ``logic`` and ``classical`` what a rule is there, ``steps`` and ``chapter`` make
 the file of it; ``compiled`` has it checked, ``outcome`` says what was found, ``together`` asks on
 what chapters rest, and ``assumptions`` lays the axioms that Rocq lists to the statements.
-``preludes`` are ``Prelude.v``, which all files use, ``Boxes.v``, those with a box, and ``Zeros.v``,
-those that count zeros.
+``preludes`` is the library: ``Prelude.v`` to ``Control.v``, which all files use, ``Boxes.v``, those
+with a box, and ``Zeros.v``, those that count zeros.  It assumes nothing.
 Imports ``notation``, ``proof`` and ``book``; used by ``cli``.
 """
