@@ -121,8 +121,7 @@ def test_walls_and_answers_in_numbers_are_no_others(folder):
         "no_device": (answer.format("1") + " -> False", "intros (m & b & k & t & p & H); lra."),
     }  # fmt: skip
     text = "From Symhaptic Require Import Control.\n" + "".join(
-        f"Lemma {name} : {claim}.\nProof.\n  {way}\nQed.\n"
-        for name, (claim, way) in claims.items()
+        f"Lemma {name} : {claim}.\nProof.\n  {way}\nQed.\n" for name, (claim, way) in claims.items()
     )
     assert set(compiled.failing(folder, text)) == {"stiff", "never", "always", "no_device"}
 
