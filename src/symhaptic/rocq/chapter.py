@@ -116,7 +116,8 @@ HOW = (
     "an axiom named rule_, with its source; one that is named open_ is a step which nobody has "
     "checked here. What is named _fails_ shows a point at which a condition, or what is printed, "
     "fails. Tactics stand in Prelude.v and Control.v; predicates are defined in Polynomials.v "
-    "(degree), Circle.v (stable, hurwitz), Device.v, Loop.v, Energy.v (passive), Stored.v and Answers.v"
+    "(degree), Circle.v (stable, hurwitz), Device.v, Loop.v, Energy.v (passive), Stored.v and "
+    "Answers.v"
 )
 ALONE = frozenset({"identity", "number", "broken", "tends"}) | BOXED
 """Leaves that use no other lemma."""
