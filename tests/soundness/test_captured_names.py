@@ -196,7 +196,7 @@ def test_what_is_free_of_the_bound_symbol_goes_on() -> None:
 
 @pytest.mark.parametrize("inner", [Exists, ForAll])
 def test_a_bound_symbol_is_not_another_one(inner: type[Exists]) -> None:
-    # for all x there is a y = 1, and not for all x a y with x = 1; both counted their symbols from 0
+    # for all x there is a y = 1, and not for all x a y with x = 1: both counted from 0
     one, other = (ForAll((x,), inner((y,), Relation(s, "=", S.One))) for s in (y, x))
     assert one != other
     assert one == ForAll((v,), inner((w,), Relation(w, "=", S.One)))
