@@ -416,7 +416,8 @@ SOURCES = {
     },
     "a condition for all squares below 0": {
         "statement": '("K < 0",), condition=True',
-        "claim": f"ForAll((K,), And((Implies(({WALL}, ForAll((x,), implied([x**2 < 0], p[0])))),)))",
+        "claim": f"ForAll((K,), And((implied([{WALL}], "
+        "ForAll((x,), implied([x**2 < 0], p[0]))),)))",
         "chapter": VACUOUS + "shown = conj(disch(gen(disch(shown, x**2 < 0), x), wall))\n"
         'page.settle("odd:a", gen(shown, K))',
     },
