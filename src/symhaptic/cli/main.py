@@ -18,13 +18,13 @@ from typing import Annotated, Any
 import typer
 
 from symhaptic.cli import (  # noqa: F401 - each registers its commands
-    checking,
+    check,
     computing,
     controller,
-    deciding,
     limits,
-    mutating,
-    reporting,
+    mutants,
+    report,
+    verify,
 )
 from symhaptic.cli.shared import FULL, Unusable, app, refuse
 from symhaptic.notation.suggest import suggested

@@ -122,7 +122,7 @@ def verify(
 
     gc.set_threshold(SELDOM)
     from symhaptic.book import chapters, committed, ledger, listing, parallel
-    from symhaptic.cli.foreign import judged, stale, whole
+    from symhaptic.cli.rocq import judged, stale, whole
 
     writable(output)
     if source is not None and (derivation or listed):
