@@ -1,6 +1,6 @@
 """How fast are the functions, and how wrong?  Measured beside exact values and other tools.
 
-* ``measuring``: what `symhaptic bench` measures, and how often
+* ``measuring``, ``timing``: what `symhaptic bench` measures, how often, and by which clock
 * ``functions``, ``points``: error against time of each function, and the points where
 * ``error``, ``exported``, ``terms``: the error of exported C: `benchmarks/accuracy.py`
 * ``exact``, ``closed``, ``implicit``, ``winding``: exact values in ball arithmetic

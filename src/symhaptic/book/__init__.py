@@ -5,7 +5,9 @@ the file of its chapter.  Tests in `tests/oracles` that are marked with the name
 compute its results by another method.
 
 * ``page``, ``steps``, ``record``: what a chapter calls (`settle`, `lemma`, `step`) and what is kept
-* ``lemmas``: theorems that several chapters use, and their certificates
+* ``following``, ``evidence``: what follows from a page's definitions; the numbers of a theorem
+* ``lemmas``, ``certificates``: theorems that several chapters use, and the certificates that
+  `make certificates` finds for them
 * ``chapters``, ``parallel``: chapters are found and run
 * ``processes``: worker processes, which end with the process that started them
 * ``sources``, ``formulas``, ``ledger``: statements with their verdicts, and the JSON record of one
@@ -13,7 +15,8 @@ compute its results by another method.
 * ``rests``, ``rules``: on which theorems and on which rules a statement rests
 * ``foreign``: the record of what Rocq has checked
 * ``mutation``: each statement with one change, which must be refused
-* ``report``, ``figures``, ``parts``: the book, the site and their pictures
+* ``report``, ``figures``, ``parts``, ``plain``: the book, the site and their pictures
+* ``consequences``: the order of the errata, and what each means for a device
 * ``measured``: the measurements of ``bench`` as a chapter
 
 The verdict itself is computed in ``proof``.  Imports most rooms above; used by the chapters,

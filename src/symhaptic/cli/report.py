@@ -1,4 +1,4 @@
-"""Report: the chapters in print."""
+"""The command `report`: the book, single chapters and the site."""
 
 from __future__ import annotations
 

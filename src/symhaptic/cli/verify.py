@@ -1,4 +1,4 @@
-"""Verify: what asks whether the chapters are right."""
+"""The command `verify`: the verdicts on all statements, and the exit status if one has changed."""
 
 from __future__ import annotations
 

@@ -10,6 +10,7 @@ Polynomials are in w = z - 1, the lowest power first: slow loops have their root
 powers of w keep the digits that powers of z lose.
 
 * ``plant``, ``system``: how the device moves, and its samples
+* ``number``: polynomials of floats, arrays or symbols
 * ``velocity``, ``oversampled``: what the wall takes for the velocity
 * ``actuator``, ``structure``, ``sensor``: further parts, one each
 * ``loop``: p = z^M A + K X + B Y + E of a scene
