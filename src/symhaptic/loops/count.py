@@ -82,7 +82,7 @@ def _turned(
     leads = np.abs(device[:, 1::2]) >= np.abs(wall[:, 1::2])
     sizes = np.abs(late) ** 2, np.abs(its) ** 2
     larger = np.maximum(*sizes)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(all="ignore"):
         apart = np.where(larger > 0, np.abs(late + its) ** 2 / larger, 0.0)
         after_device, after_wall = np.angle(1 + its / late), np.angle(1 + late / its)
         turns = [np.angle(each[:, 1:] / each[:, :-1]) for each in (device, wall)]

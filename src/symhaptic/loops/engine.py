@@ -37,6 +37,9 @@ STEPS = {
 _BLOCK = 4096
 """So many walls are counted at a time: their arrays stay in the processor's cache."""
 
+_TABLE = 2_000_000
+"""So many numbers has a table of walls and angles: 16 MB."""
+
 
 _Told = Callable[[Loop, Array, Array], NDArray[Any]]
 
@@ -125,6 +128,11 @@ class Engine:
         """What walls need of the device's damping, where (4) tells it."""
         if self.no_passivity:
             raise ValueError(f"{self.no_passivity}; passivity is not told, ask for stability")
+        if self.delay > LONGEST:
+            raise ValueError(
+                f"delay: of {self.delay!r} periods is not allowed for passivity with a filter or a "
+                f"virtual mass; give at most {LONGEST} periods"
+            )
         return Needs(
             self.velocity, math.floor(self.delay), self.period, self.virtual_mass / self.mass
         )
@@ -154,8 +162,9 @@ class Engine:
         K, B = alpha.ravel(), beta.ravel()
         found = np.full(K.shape, np.nan)
         known = np.flatnonzero(~np.isnan(K) & ~np.isnan(B))
-        for start in range(0, len(known), _BLOCK // 8):
-            here = known[start : start + _BLOCK // 8]
+        size = max(1, _TABLE // len(self.needs.theta))
+        for start in range(0, len(known), size):
+            here = known[start : start + size]
             found[here] = self.delta - self.needs.required(K[here], B[here])[0]
         return found.reshape(alpha.shape)
 
