@@ -335,7 +335,8 @@ class Scene(DeviceLoop):
         Notes
         -----
         Without delay K <= min(2 b/T, 2 f_c/Delta) [1]_, with the friction f_c and the resolution
-        Delta.  With a delay, :meth:`max_passive_stiffness` for B = 0 takes the place of 2 b/T.
+        Delta.  With a delay, :meth:`max_passive_stiffness` for B = 0 takes the place of 2 b/T.  A
+        virtual mass M takes 4 M/T^2 from the limit by friction.
         The bound is sufficient for passivity; :meth:`simulate` shows motions beyond it.
 
         .. [1] J. J. Abbott and A. M. Okamura, "Effects of position quantization and sampling rate
@@ -432,9 +433,11 @@ class Scene(DeviceLoop):
 
         The limit is :meth:`max_stable_stiffness`, or :meth:`limit_at` if a damping ``B`` in Ns/m is
         given.  A parameter that is left out or 0 has no entry.  The arm's parameters are
-        ``arm_mass``, ``arm_damping`` and ``arm_stiffness``.  When the sampling period changes, a
-        delay given in s stays constant in s, and a delay given in periods stays constant in
-        periods.  Computed by differences, to about 1e-6.
+        ``arm_mass``, ``arm_damping`` and ``arm_stiffness``, and those of parts are named alike,
+        such as ``velocity_cutoff`` or ``structure_mass``; whole numbers and the coefficients of a
+        ``Filter`` or of ``dynamics`` have no entry.  When the sampling period changes, a delay
+        given in s stays constant in s, and a delay given in periods stays constant in periods.  The
+        delay of a simulator is always whole periods.  Computed by differences, to about 1e-6.
 
         >>> scene = Scene(mass=0.1, sampling_period=0.001, delay_samples=1)
         >>> {name: round(x, 3) for name, x in scene.sensitivity().items()}
