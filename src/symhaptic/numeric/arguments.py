@@ -122,7 +122,6 @@ _CHECKS: dict[str, Callable[[str, Any, Any], None]] = {
     "delay": _periods,
     "epsilon": _fraction,
     "theta": _angle,
-    "omega": _angle,
 }
 
 

@@ -37,7 +37,8 @@ class Verdict:
     """A verdict with its reasons.  As a truth value, true only if the statement is right.
 
     ``condition`` and ``corrected`` are LaTeX; ``counterexample`` gives a value to each symbol and
-    is empty if there is no symbol.
+    is empty if there is no symbol.  :func:`symhaptic.prove` returns it, and printed it is a
+    sentence.
     """
 
     kind: Kind

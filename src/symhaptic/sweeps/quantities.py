@@ -64,7 +64,6 @@ def _symbol(name: str, says: str = "") -> Meaning:
 
 INPUTS: dict[str, Meaning] = {
     **{name: _symbol(name) for name in ("alpha", "beta", "gamma", "delta", "theta")},
-    "omega": _symbol("omega_hat"),
     "delay": _symbol("d"),
 }
 """Arguments without units."""
@@ -166,7 +165,7 @@ _SI: dict[str, tuple[str, Meaning]] = {
 
 _PARTS = {
     "alpha": ("K",), "beta": ("B",), "gamma": ("stiffness",), "delta": ("damping",),
-    "theta": ("frequency_hz",), "omega": ("frequency_hz",),
+    "theta": ("frequency_hz",),
 }  # fmt: skip
 
 

@@ -78,7 +78,7 @@ TASKS: tuple[tuple[str, Part], ...] = (
         [led("page", "howto"), " and ", led("page", "gallery")],
     ),
     ("What does a verdict mean, what is believed?", led("page", "verdicts")),
-    ("Every name", led("page", "reference")),
+    ("All functions", led("page", "reference")),
 )
 """What somebody comes for, and where it is."""
 
@@ -247,6 +247,7 @@ def _sphinx(source: Path, made: Path, doctrees: Path) -> None:
         "html_css_files": ["site.css"],
         "html_js_files": ["site.js"],
         "html_copy_source": False,
+        "html_search_scorer": str(STATIC / "scorer.js"),
         "html_use_index": False,
         "html_show_search_summary": False,
         "html_show_sphinx": False,
