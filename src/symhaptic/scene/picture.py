@@ -45,6 +45,7 @@ def draw(axes: Axes, scene: DeviceLoop, wall: tuple[float, float] | None = None)
             axes.plot(ring[:, 0], ring[:, 1], color=EDGE, lw=1.3)
     else:
         _traced(axes, held, low, high)
+    axes.fill([], [], color=STABLE, label="stable walls")
     in_K, in_B = scene.printed("N/m"), scene.printed("N*s/m")
     marks = [(most, _said("stable", most, scene))]
     if alone.damping and not why_not_passive(alone):
@@ -62,7 +63,6 @@ def draw(axes: Axes, scene: DeviceLoop, wall: tuple[float, float] | None = None)
                 ":", color=color, label=f"to its limit: {digits(top - wall[0])} {in_K} more",
             )  # fmt: skip
         axes.plot(*wall, "x", ms=9, mew=2, color=color, label=text)
-    axes.fill([], [], color=STABLE, label="stable walls")
     axes.axhline(0, color="black", lw=0.6)
     axes.axvline(0, color="black", lw=0.6)
     axes.set(xlim=(low["K"], high["K"]), ylim=(low["B"], high["B"]))

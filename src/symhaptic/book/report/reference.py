@@ -75,7 +75,7 @@ def page(known: Collection[str]) -> str:
         "with Greek arguments are dimensionless, in the parameters of Table I: "
         ":math:`\\alpha=KT^2/m`, :math:`\\beta=BT/m`, :math:`\\gamma=kT^2/m` and "
         ":math:`\\delta=bT/m`, with a delay in sampling periods. Arguments have the same order in "
-        "all functions: the frequency; K and B; k, b and m; T; the delay.",
+        "all functions: the angle, the wall, the device, the delay.",
         "",
         ".. currentmodule:: symhaptic",
         "",
