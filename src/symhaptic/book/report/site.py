@@ -56,6 +56,7 @@ OPENING = (
 )
 
 TASKS: tuple[tuple[str, Part], ...] = (
+    ("What is modelled, and which formula is for what?", led("page", "model")),
     (
         "How stiff may my wall be?",
         [led("page", "limits"), ", or ", led("page", "explorer", "turn a loop by hand")],
@@ -67,7 +68,11 @@ TASKS: tuple[tuple[str, Part], ...] = (
     ),
     (
         "What is wrong in the paper?",
-        [led("page", "errata", "Errata"), ", and ", led("page", "ledger", "every statement")],
+        [
+            *(led("page", "found", "The findings by importance"), ", "),
+            *(led("page", "errata", "all errata"), ", and "),
+            led("page", "ledger", "every statement"),
+        ],
     ),
     (
         "Is my own formula right? Is my code?",
