@@ -1,4 +1,4 @@
-r"""Reads a formula as printed, in LaTeX, into SymPy: the transcription is typed only once.
+r"""Reads a formula as published, in LaTeX, into SymPy: the transcription is typed only once.
 
 The conventions are those of the paper (and of IEEE print): juxtaposition binds more tightly
 than a slash, so that ``\pi/T(d+1)`` is :math:`\pi/(T(d+1))` and ``b^2/4m`` is

@@ -70,9 +70,9 @@ def lambdify(
     -------
     callable
         A function that returns one number or a tuple; ``"is_stable"`` returns a truth value.  The
-        arguments of a stable form are dimensionless and in the order that ``symhaptic export --list``
-        prints.  Those of the other forms are in the order of ``symhaptic check --list``, or of
-        their names if it does not list the formula.  Outside the domain numbers are NaN, the
+        arguments of a stable form are dimensionless and in the order that ``symhaptic export
+        --list`` prints.  Those of the other forms are in the order of ``symhaptic check --list``,
+        or of their names if it does not list the formula.  Outside the domain numbers are NaN, the
         count ``"unstable_roots"`` is -1, and nothing is stable.
 
     Raises
