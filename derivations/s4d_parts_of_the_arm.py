@@ -93,7 +93,7 @@ def _arms(wall, mass, spring):
 
 
 def _passive_wall(given):
-    """alpha = 1 and delta = 2, a period late: 3/2 - cos(theta) is left of the damping."""
+    """alpha = 1 and delta = 2, one period of delay: 3/2 - cos(theta) of the damping remains."""
     wall = {alpha: S.One, beta: S.Zero, gamma: S.Zero, delta: S(2), d: S.One}
     turn = square(1 - cos(theta)), bounded(cos, theta)
     left = combined(MARGIN.xreplace(wall) >= 0, *([S.Half, known] for known in turn), [S.Half])

@@ -267,7 +267,7 @@ def drawn_too_large() -> Theorem:
 
 @cache
 def ratios_kept() -> Theorem:
-    """17.8 and 9.3 are passed by all the more with the damping of the device alone."""
+    """17.8 and 9.3 are exceeded with the damping of the device alone, too."""
     symbols, given, both_ = taken_apart(still_true())
     parts = []
     for claim, delay, wall in zip(both_.of, (0, 1), (UNDELAYED, LATE), strict=True):

@@ -39,7 +39,7 @@ def derive(page):
     turning = z * eye(2) - parts[0]
     force = pushed[1] + parts[1] * pushed[2] / z
     place = (turning.adjugate() * force / turning.det())[0] * z ** (-l)
-    page.same("the late force", place, late.transfer.xreplace(given))
+    page.same("the delayed force", place, late.transfer.xreplace(given))
     found = page.lemma(
         "The sampled device is exact for every device and continuous in the delay",
         exact_late_plant(),

@@ -48,7 +48,7 @@ def derive(page):
         r"vanishes with the damping or with $\cosh(c/4)$, which is $\cos(\omega_dT/2)$:"
     )
     turned = LATE.block.written_out()[6]
-    page.same("gap near half turns", turned.left, turned.right)
+    page.same("the gap near odd multiples of pi", turned.left, turned.right)
     page.say(
         r"The boundary also contains the difference of $m_2$ and $m_0$. For $\omega_dT$ near a "
         r"multiple of $2\pi$ both are nearly equal, and their small difference matters at low "

@@ -68,7 +68,7 @@ def derive(page):
         page,
         "max_passive_stiffness",
         (STIFFEST, LATE_STIFFEST),
-        "with integer delays the computed stiffest passive wall is the derived one, (11), with "
+        "with integer delays the computed passive wall of maximum stiffness is (11), with "
         "its damping; with a fractional delay the stiffest wall of an angle requires exactly the "
         "damping of the device there, for every virtual damping. At the angle at which the slope "
         "of its stiffness vanishes, found by a search, the computed wall is this one",

@@ -161,7 +161,7 @@ def stability_boundary(
 
     Notes
     -----
-    The boundary is explicit.  With the plant P(z) of :func:`discretize`, the wall solves
+    The boundary is explicit.  With the plant P(z) of :func:`symhaptic.discretize`, the wall solves
 
     .. math:: 1+z^{-(d+1)}((\alpha+\beta)z-\beta)P(z)=0,\quad z=e^{j\theta},
 

@@ -225,8 +225,9 @@ def unstable_roots(
 
     Notes
     -----
-    The roots are those of :func:`characteristic_polynomial` and, for a fractional delay, of its
-    modified z-transform.  They are counted by the argument principle (chapter s4d_roots_counted).
+    The roots are those of :func:`symhaptic.characteristic_polynomial` or, for a fractional delay,
+    of the polynomial with the modified z-transform.  They are counted by the argument principle
+    (chapter s4d_roots_counted).
     Arrays in single precision are computed in double precision, if their library has it.  Inside
     ``jax.jit`` every branch is compiled, which takes XLA some ten seconds.  ``torch.compile``
     breaks its graph here.

@@ -10,7 +10,7 @@ from symhaptic.book.chapters import beside
 
 ORDER = (
     *("model", "found", "tutorial", "limits", "loops", "simulation", "devices", "sweep", "howto"),
-    *("verify", "check", "export"),
+    *("verify", "chapters", "check", "export"),
     *("reports", "security", "verdicts", "statements", "speed", "design", "language"),
 )
 """Of the guides, as they are read."""

@@ -51,7 +51,7 @@ EXTRA = "extra"
 OPENING = (
     r"Every formula of \emph{Passivity and Stability Boundaries for Haptic Systems with Time "
     r"Delay} (T. Hulin, A. Albu-Schäffer, G. Hirzinger, 2014), derived from first principles and "
-    "judged as printed: by exact algebra, exact series, sign certificates or balls that contain "
+    "judged as published: by exact algebra, exact series, sign certificates or balls that contain "
     "the value, joined by named theorems. Nothing rests on sampling."
 )
 
@@ -82,7 +82,7 @@ TASKS: tuple[tuple[str, Part], ...] = (
         "A figure, a sweep, a microcontroller, a thesis",
         [led("page", "howto"), " and ", led("page", "gallery")],
     ),
-    ("What does a verdict mean, what is believed?", led("page", "verdicts")),
+    ("What does a verdict mean, and what is the trusted base?", led("page", "verdicts")),
     ("All functions", led("page", "reference")),
 )
 """What somebody comes for, and where it is."""

@@ -242,9 +242,9 @@ def limit_at(
 
     Notes
     -----
-    The limit is found among all crossings of the explicit boundary (:func:`stability_boundary`) and
-    of the lines with a real root on the circle.  There may also be a lower limit.
-
+    The limit is found among all crossings of the explicit boundary
+    (:func:`symhaptic.stability_boundary`) and of the lines with a real root on the circle.  There
+    may also be a lower limit.
     Examples
     --------
     >>> alpha, theta = limit_at([0.0, 0.4, 3.0], 0.0, 0.0, 0)  # 2 beta (2 - beta)/(2 + beta)

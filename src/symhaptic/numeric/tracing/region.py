@@ -162,7 +162,7 @@ def stable_region(
 
     Notes
     -----
-    The sides are pieces of the explicit boundary (:func:`stability_boundary`, chapter
+    The sides are pieces of the explicit boundary (:func:`symhaptic.stability_boundary`, chapter
     s4d_explicit_boundary) and of the lines with a root at 1 or -1.  Corners are computed to full
     precision.  The time grows with the delay.
 
