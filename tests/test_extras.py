@@ -89,9 +89,8 @@ def test_a_name_says_what_to_install(call, names, said, hidden, tmp_path, monkey
 
 
 def test_the_picture_of_safe_walls_does_so_too(hidden):
-    safe = Scene(mass=0.1, damping=0.5, sampling_period=0.001).safe_walls(
-        ArmRange(mass=(0.0, 0.1), damping=(0.0, 1.0), stiffness=(0.0, 10.0))
-    )
+    arm = ArmRange(mass=(0.1, 0.1), damping=(1.0, 1.0), stiffness=(10.0, 10.0))
+    safe = Scene(mass=0.1, damping=0.5, sampling_period=0.001).safe_walls(arm)
     hidden("matplotlib")
     with pytest.raises(ModuleNotFoundError, match=r"SafeWalls\.plot needs matplotlib: pip install"):
         safe.plot()
@@ -129,8 +128,10 @@ COMMANDS = [
 
 FORKED = """
 import json, os, sys
+import symhaptic.book.ledger, symhaptic.book.parts, symhaptic.scene.device_file  # once for all
 from symhaptic.cli.main import main
 for asked, name in json.loads(sys.argv[1]):
+    assert name not in sys.modules
     if (child := os.fork()) == 0:
         sys.modules[name] = None
         sys.argv = ["symhaptic", *asked.split()]
@@ -139,7 +140,7 @@ for asked, name in json.loads(sys.argv[1]):
     _, status = os.waitpid(child, 0)
     print(os.waitstatus_to_exitcode(status), sorted(os.listdir()), file=sys.stderr)
 """
-"""Each command in a process of its own, which has imported nothing but the command line."""
+"""Each command in a process of its own, which has imported none of the packages."""
 
 
 def test_a_command_says_at_once_what_to_install(tmp_path):

@@ -66,7 +66,9 @@ int main(void) {
 
 
 @pytest.mark.parametrize(
-    "core", [CORTEX_M4, ["-mcpu=cortex-m0plus", "-mthumb"]], ids=lambda c: c[0]
+    "core",
+    [pytest.param(CORTEX_M4, marks=pytest.mark.ci), ["-mcpu=cortex-m0plus", "-mthumb"]],
+    ids=lambda c: c[0],
 )
 def test_no_double_and_no_memory_is_linked(core, folder):
     """Nor a fused multiplication where the processor has none: libraries take doubles for it."""

@@ -105,6 +105,7 @@ SLOPES = {
 }
 
 
+@pytest.mark.ci
 @pytest.mark.parametrize("name", SLOPES)
 def test_jax_differentiates_formulas_that_search(name):
     """The first result by each argument, beside differences of the function in NumPy."""
