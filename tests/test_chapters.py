@@ -6,8 +6,10 @@ from chapters import chapter
 from symhaptic.book.chapters import shipped
 from symhaptic.paper import STATEMENTS
 
-LONGEST = 350
+LONGEST = 240
 """Lines of a chapter, with the lemmas that it alone uses."""
+LONGER = dict.fromkeys(("s4d_left_bound_delayed", "s5a_one_delta", "s6g_next_whole_delay"), 340)
+"""Chapters with one long proof each, whose lemmas serve nowhere else."""
 
 DEFINITIONS = [
     "eq1",
@@ -263,7 +265,7 @@ CHAPTERS = [path.stem for path in shipped()]
 @pytest.mark.parametrize("name", CHAPTERS)
 def test_chapter_runs_and_is_short(name):
     found = chapter(name)
-    assert len(found.path.read_text(encoding="utf-8").splitlines()) < LONGEST
+    assert len(found.path.read_text(encoding="utf-8").splitlines()) < LONGER.get(name, LONGEST)
     assert found.title.endswith("?")  # a chapter asks a question
     assert found.introduction
 

@@ -34,6 +34,7 @@ def folder(tmp_path_factory):
     return exported("microcontroller", tmp_path_factory.mktemp("small") / "out", CONTROLLER)
 
 
+@pytest.mark.ci
 def test_the_self_test_passes_on_a_cortex_m4(folder):
     """As written, and none of the functions sets errno at any vector."""
     needs(COMPILER, QEMU[0])

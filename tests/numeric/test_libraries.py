@@ -140,6 +140,7 @@ def test_jax_differentiates_the_formula_for_the_largest_passive_stiffness():
     assert edge == pytest.approx(float(symhaptic.passivity_boundary(1.0, 1.0, 1.0)[0]), rel=1e-12)
 
 
+@pytest.mark.ci
 def test_derivatives_in_jax_of_arrays_and_of_compiled_functions():
     jnp, jax = jax_numpy(), pytest.importorskip("jax")
     delta, function = np.array([0.01, 0.02, 0.03]), symhaptic.lambdify("max_stable_stiffness")
