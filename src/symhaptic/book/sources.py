@@ -33,7 +33,7 @@ PAPER = Source(
     "2014",
     "IEEE Transactions on Control Systems Technology",
 )
-SHIPPED = (PAPER, rules.SOURCE)
+SHIPPED = (PAPER, *rules.SOURCES)
 SOURCES = [*SHIPPED]
 
 STATEMENTS: dict[str, Statement] = {**paper.STATEMENTS, **rules.STATEMENTS}
