@@ -1,13 +1,17 @@
 """Each derivation runs and gives the expected verdicts."""
 
+import re
+
 import pytest
 from chapters import chapter
 
 from symhaptic.book.chapters import shipped
 from symhaptic.paper import STATEMENTS
 
-LONGEST = 350
+LONGEST = 240
 """Lines of a chapter, with the lemmas that it alone uses."""
+LONGER = dict.fromkeys(("s4d_left_bound_delayed", "s5a_one_delta", "s6g_next_whole_delay"), 340)
+"""Chapters with one long proof each, whose lemmas serve nowhere else."""
 
 DEFINITIONS = [
     "eq1",
@@ -130,6 +134,10 @@ PROVED = [
     "rules:counts-and-friction",
     "rules:low-pass-mass",
     "rules:lag-as-delay",
+    "coupling:period",
+    "coupling:noise",
+    "coupling:rest",
+    "coupling:beside-spring",
 ]
 ENCLOSED = [
     "s3c-kmax-41",
@@ -157,6 +165,7 @@ MISPRINTS = [
     "s5c-interval",
 ]
 SLIPS = [
+    "coupling:ratio",
     "s1-conclusion",
     "s5b-ratio-panels",
     "s5b-captions-alike",
@@ -211,6 +220,7 @@ QUALIFIED = [
     "rules:filter-as-delay",
     "rules:energy-leak",
     "rules:delay-damping",
+    "coupling:stable-mass",
     "s6-subset",
     "s6-damping-any-delay",
     "s6-stiffness-any-delay",
@@ -222,6 +232,8 @@ REFUTED = [
     "rules:euler-for-devices",
     "rules:two-dampings",
     "rules:both-below-two",
+    "coupling:implicit",
+    "coupling:damper",
     "s4d-all-stabilising",
     "s4d-delay-shrinks",
     "s4c-extension-30",
@@ -229,6 +241,7 @@ REFUTED = [
     "one-delta",
 ]
 EXTERNAL = [
+    "coupling:passive-mass",
     "s3-unilateral",
     "tab2",
     "eq22",
@@ -263,8 +276,8 @@ CHAPTERS = [path.stem for path in shipped()]
 @pytest.mark.parametrize("name", CHAPTERS)
 def test_chapter_runs_and_is_short(name):
     found = chapter(name)
-    assert len(found.path.read_text(encoding="utf-8").splitlines()) < LONGEST
-    assert found.title.endswith("?")  # a chapter asks a question
+    assert len(found.path.read_text(encoding="utf-8").splitlines()) < LONGER.get(name, LONGEST)
+    assert re.search(r"\w\?$|\w$", found.title)  # a question or a statement
     assert found.introduction
 
 
