@@ -8,8 +8,8 @@
 * ``compiled``, ``outcome``: Rocq runs, and what it says is kept
 * ``together``, ``assumptions``: the axioms on which each statement rests
 * ``record``: `reports/rocq.json`
-* ``preludes``: the library `*.v`, which assumes nothing: `Prelude.v` to `Control.v` for all chapters,
-  `Boxes.v` for those with a box, `Zeros.v` for those that count zeros
+* ``preludes``: the library `*.v`, which assumes nothing: `Prelude.v` to `Control.v` for all
+  chapters, `Boxes.v` for those with a box, `Zeros.v` for those that count zeros
 
 Imports ``notation``, ``model``, ``proof`` and ``book``; used by ``cli``.
 """
