@@ -224,8 +224,8 @@ Proof.
     { rewrite <- cos_minus; f_equal; rewrite S_INR; ring. }
     rewrite A, B; field; exact M.
 Qed.
-Definition at_angle (c : R) (l : list (nat * R)) (t : R) : R := fold_right (fun u s => snd u * turned_back (fst u) t
-  + s) c l.
+Definition at_angle (c : R) (l : list (nat * R)) (t : R) : R :=
+  fold_right (fun u s => snd u * turned_back (fst u) t + s) c l.
 Lemma at_angle_is : forall c l t, cos t <> 1 -> margin c l t = at_angle c l t.
 Proof. intros c l t N; unfold margin, at_angle; induction l as [| u l IH]; cbn [fold_right]; [reflexivity |];
   rewrite IH, turned_back_is by exact N; reflexivity. Qed.
@@ -875,8 +875,8 @@ Qed.
 End Late.
 
 (* Displacements that begin at a. *)
-Definition begun (a n : nat) (p : nat ->
-  R) (j : nat) : R := if Nat.ltb j a then 0 else if Nat.ltb (j - a) n then p (j - a)%nat else 0.
+Definition begun (a n : nat) (p : nat -> R) (j : nat) : R :=
+  if Nat.ltb j a then 0 else if Nat.ltb (j - a) n then p (j - a)%nat else 0.
 Lemma begun_place : forall a n p i, (i <= n)%nat -> place (begun a n p) (a + i) = place p i.
 Proof.
   intros a n p i I; unfold place; rewrite total_app, (total_zero a), Rplus_0_l.
