@@ -110,14 +110,15 @@ def test_walls_and_answers_in_numbers_are_no_others(folder):
     claims = {
         "soft": ("passive_wall 2 0 1 1 0", SPRING.format(K=2)),
         "stiff": ("passive_wall 3 0 1 1 0", SPRING.format(K=3)),
-        "never": ("forall K, ~ passive_wall K 0 1 1 0", "intros K P; exact (P 0)."),
+        "never": ("forall K, ~ passive_wall K 0 1 1 0",
+            "intros K P; specialize (P (fun _ => 0)); lra."),
         "always": ("forall K B, passive_wall K B 1 1 0", "intros K B v V e n E; unfold work; nra."),
         "undamped": ("~ passive_wall 0 0 (-1) 1 0",
-            "intro P; apply (whole_wall 0 0 (-1) 1 0 "
-            "(fun z => (0 * (z - 1) / (1 * z) + 0) / z^0)%C) in P; [| lra | reflexivity]; "
-            "apply (passive_taps _ _ ((0%nat, 0) :: nil)) in P; "
-            "[| as_taps]; specialize (P (fun _ => 1) 1%nat); "
-            "unfold energy, force, place, impulse in P; simpl in P; lra."),
+            "intro P; set (H := (fun z => (0 * (z - 1) / (1 * z) + 0) / z^0)%C); "
+            "apply (whole_wall 0 0 (-1) 1 0 H) in P; [| lra | reflexivity]; "
+            "assert (F := passive_taps H (-1 / 1) ((0%nat, 0) :: nil) ltac:(unfold H; as_taps)); "
+            "assert (Q := proj1 F P (fun _ => 1) 1%nat); "
+            "unfold energy, force, place, impulse in Q; simpl in Q; lra."),
         "no_device": (answer.format("1") + " -> False", "intros (m & b & k & t & p & H); lra."),
     }  # fmt: skip
     text = "From Symhaptic Require Import Control.\n" + "".join(
