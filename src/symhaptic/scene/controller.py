@@ -89,7 +89,7 @@ def _check_single(scene: DeviceLoop, K: float, B: float) -> None:
             f"velocity: {velocity.words} loses its digits in single precision, where its poles are "
             "too near to 1; give double precision"
         )
-    rounded = replace(scene, velocity=Filter(above / gain, [1.0, *below]))
+    rounded = replace(scene, velocity=Filter((above / gain).tolist(), [1.0, *below]))
     if not is_stable(rounded, K, B * gain):
         raise ValueError(
             f"K: {K!r} with B={B!r} is not stable with a filter in single precision; "
