@@ -20,6 +20,7 @@ from symhaptic.bench.exact import EXACT
 from symhaptic.check.checked import FLAT, Argument, Checked, Point
 from symhaptic.kernels import haptic
 from symhaptic.numeric import passivity
+from symhaptic.numeric.arguments import IN_ORDER
 from symhaptic.numeric.boundary import stability_boundary
 from symhaptic.numeric.compiled import of
 from symhaptic.numeric.linear import linear_limit
@@ -485,18 +486,18 @@ def _swings(k: Any, b: Any, m: Any) -> Any:
 
 # fmt: off
 EQUATIONS = (
-    _unit("eq5", "passivity_margin_at", _args("K B T omega d", d=WHOLE), ("b",),
+    _unit("eq5", "passivity_margin_at", _args(IN_ORDER["eq5"], d=WHOLE), ("b",),
           lambda K, B, T, omega, d: (omega * T, K * T, B, 0.0, d), lambda v, *_: (-v[0],),
           _published_at, printed="eq5", derived=_in_si, open=(_NO_FRACTION,)),
-    _closed("eq6", "K B T", "b", lambda K, B, T: K * T / 2 + abs(B),
+    _closed("eq6", IN_ORDER["eq6"], "b", lambda K, B, T: K * T / 2 + abs(B),
             lambda K, B, T: K * T / 2 + abs(B)),
-    _unit("eq7", "passivity_boundary", _args("b T omega d", d=WHOLE), ("K", "B"),
+    _unit("eq7", "passivity_boundary", _args(IN_ORDER["eq7"], d=WHOLE), ("K", "B"),
           lambda b, T, omega, d: (omega * T, b, d), lambda v, b, T, *_: (v[0] / T, v[1]),
           _published_envelope, printed="eq7", derived=_just_passive,
           open=(_NO_FRACTION, "frequencies at which no wall is just passive")),
-    _closed("eq9", "b B T d", "K", lambda b, B, T, d: (b + B) / ((d + 0.5) * T),
+    _closed("eq9", IN_ORDER["eq9"], "K", lambda b, B, T, d: (b + B) / ((d + 0.5) * T),
             lambda b, B, T, d: (b + abs(B)) / ((d + 0.5) * T), open=(_NO_FRACTION,)),
-    _unit("eq11", "max_passive_stiffness", _args("b T d", d=WHOLE), ("K", "B"),
+    _unit("eq11", "max_passive_stiffness", _args(IN_ORDER["eq11"], d=WHOLE), ("K", "B"),
           lambda b, T, d: (b, d), lambda v, b, T, d: (v[0] / T, v[1]),
           lambda delta, d: (delta * (d + 1),) * 2, printed="eq11", open=(_NO_FRACTION,)),
     _unit("eq12", "discretize",
@@ -505,11 +506,11 @@ EQUATIONS = (
           lambda b, k, m, T: (k * T**2 / m, b * T / m),
           lambda v, b, k, m, T: (v[0] * T**2 / m, v[1] * T**2 / m, v[2], v[3]),
           printed="eq12", derived=_in_si),
-    _closed("eq24", "b B t_d T", "K", lambda b, B, t_d, T: (b + B) / (t_d + T / 2),
+    _closed("eq24", IN_ORDER["eq24"], "K", lambda b, B, t_d, T: (b + B) / (t_d + T / 2),
             lambda b, B, t_d, T: (b + abs(B)) / (t_d + T / 2)),
-    _closed("eq28", "k b m", "omega", _swings,
+    _closed("eq28", IN_ORDER["eq28"], "omega", _swings,
             lambda k, b, m: k / m / np.sqrt(np.maximum(k / m - (b / m / 2) ** 2, 1e-16 * k / m)),
-            arguments=_args("k b m", b=Argument(0.0, 0.999, 1e-9, 1 - 1e-6)),
+            arguments=_args(IN_ORDER["eq28"], b=Argument(0.0, 0.999, 1e-9, 1 - 1e-6)),
             derived=_below_critical,
             open=("devices that do not swing, of which it has no value",)),
     _unit("scene.max_stable_stiffness", "max_stable_stiffness",

@@ -165,6 +165,12 @@ def _one(found: Any, kind: type) -> Any:
     return kind(found) if isinstance(found, np.ndarray | np.generic) and not found.ndim else found
 
 
+def plane(scene: DeviceLoop) -> tuple[str, str]:
+    """Labels of K and B with their units."""
+    in_K, in_B = scene.printed("N/m"), scene.printed("N*s/m")
+    return f"virtual stiffness $K$ in {in_K}", f"virtual damping $B$ in {in_B}"
+
+
 @dataclass(frozen=True)
 class StableWalls(Shape):
     """The walls (K, B) that a scene keeps stable, in N/m and Ns/m, or N m/rad and N m s/rad."""
@@ -176,6 +182,11 @@ class StableWalls(Shape):
     """Shapely's polygon or polygons, in the units of the walls; ``area`` is in N^2 s/m^2."""
     corners: NDArray[np.float64] = field(compare=False)
     """One row (K, B) per corner."""
+
+    @property
+    def labels(self) -> tuple[str, str]:
+        """What the axes of the plane are."""
+        return plane(self.scene)
 
     @property
     def max_stiffness(self) -> Limit:
@@ -208,6 +219,11 @@ class PassiveWalls(Shape):
     """The device alone."""
     polygon: Any
     """Shapely's polygon, inside the curved border; ``area`` is in N^2 s/m^2."""
+
+    @property
+    def labels(self) -> tuple[str, str]:
+        """What the axes of the plane are."""
+        return plane(self.scene)
 
     @property
     def max_stiffness(self) -> Stiffness:
