@@ -7,5 +7,5 @@ and `table.h` lists them for it.  ``haptic`` has the same functions for arrays o
 nothing; used by ``numeric``.
 """
 
-STAMP = "3def2c0259ffad48"
+STAMP = "a5ebe574842d0f5d"
 """Of the sources in C, as the module that is compiled of them has it."""

@@ -744,7 +744,7 @@ class Scene(DeviceLoop):
         """
         from symhaptic.scene.safe import safe_walls
 
-        self.refuse_further("safe_walls")
+        self.refuse_further("safe_walls, whose proofs are of the paper's loop")
         return safe_walls(self, arm)
 
     def simplest(
@@ -804,7 +804,7 @@ class Scene(DeviceLoop):
         """
         from symhaptic.bounds.simplest.choose import Loop, simplest
 
-        self.refuse_further("simplest")
+        self.refuse_further("simplest, whose proofs are of the paper's loop")
         if (mass if self.rotary else inertia) is not None:
             name, allowed = ("mass", "inertia") if self.rotary else ("inertia", "mass")
             raise ValueError(f"{name}: is not allowed for this device; give its {allowed}")
