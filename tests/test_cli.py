@@ -216,7 +216,7 @@ def test_what_is_read_is_not_written_over(tmp_path):
         (tmp_path / "no").mkdir(exist_ok=True)
         run = symhaptic("verify", "my-own", "--derivation", path, "-o", place)
         assert run.returncode == 2
-        assert run.stderr.endswith(": is what is read here; another file is allowed\n")
+        assert run.stderr.endswith(": is what is read here; give another file\n")
         assert path.read_text(encoding="utf-8") == GOOD
 
 
@@ -267,7 +267,7 @@ BAD_INPUT = {
     "unknown option": (["report", "--frobnicate"], "--frobnicate"),
     "too small a number": (["verify", "--workers", "0"], "Invalid value for '--workers': "),
     "no number": (["export", "--delay", "two"], "Invalid value for '--delay': 'two' "),
-    "one word too many": (["report", "book"], "(book); allowed is what --help lists"),
+    "one word too many": (["report", "book"], "(book); see --help"),
     "unknown chapter": (
         ["report", "--chapter", "s3d_figure"],
         "'s3d_figures'",

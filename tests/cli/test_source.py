@@ -179,7 +179,7 @@ def test_a_bad_source_is_told_in_one_line(notes, old, new, told):
 def test_of_two_sources_none_is_left_out_in_silence(notes):
     for twice in (("--source", notes, "--source", notes), (f"--source={notes}", "--source", notes)):
         run = symhaptic("verify", *twice)
-        said = "symhaptic: error: --source: is given more than once; one value is allowed\n"
+        said = "symhaptic: error: --source: is given more than once; give one value\n"
         assert (run.returncode, run.stdout, run.stderr) == (2, "", said)
     run = symhaptic("verify", "eq11", "-oone.txt", "-oother.txt")
     assert (run.returncode, run.stderr) == (2, said.replace("--source", "-o"))
