@@ -158,7 +158,11 @@ def test_another_sign_in_its_print_is_a_misprint(notes):
         ("{mv}{c}", "{mv}{b}", "'b', which the source calls 'c', in"),
         ('(("c", "b"),)', '(("c", "b"), ("q", "b"))', "the notation has 'b' twice on a side"),
         ('(("c", "b"),)', '(("c", "b"), ("c", "T"))', "the notation has 'c' twice on a side"),
-        ('(("c", "b"),)', '(("c", "damper"),)', "'damper' for 'c'; a symbol of ours is"),
+        (
+            '(("c", "b"),)',
+            '(("c", "damper"),)',
+            "'damper' for 'c'; give a symbol of symhaptic.notation",
+        ),
         ('(("c", "b"),)', '(("cv", "b"),)', "'cv' is no name"),
         (r'{2m})",)', r'{2m})",), reading=("F = cv",)', "reading: says something else than"),
         (r'{2m})",)', r'{2m}!)",), reading=("F < cv",)', "has other relation signs than the print"),
