@@ -99,7 +99,6 @@ FARTHEST = Rational(5, 2)
 """No stable wall has a larger virtual damping, of either sign, as 1 < 2.5 n_0."""
 
 TOTAL = n_1 + n_0
-DAMPING = (1 - e + gamma * n_0) / TOTAL
 """s_1, the damping of the arm near z = 1."""
 
 

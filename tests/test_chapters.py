@@ -132,6 +132,10 @@ PROVED = [
     "rules:counts-and-friction",
     "rules:low-pass-mass",
     "rules:lag-as-delay",
+    "coupling:period",
+    "coupling:noise",
+    "coupling:rest",
+    "coupling:beside-spring",
 ]
 ENCLOSED = [
     "s3c-kmax-41",
@@ -159,6 +163,7 @@ MISPRINTS = [
     "s5c-interval",
 ]
 SLIPS = [
+    "coupling:ratio",
     "s1-conclusion",
     "s5b-ratio-panels",
     "s5b-captions-alike",
@@ -213,6 +218,7 @@ QUALIFIED = [
     "rules:filter-as-delay",
     "rules:energy-leak",
     "rules:delay-damping",
+    "coupling:stable-mass",
     "s6-subset",
     "s6-damping-any-delay",
     "s6-stiffness-any-delay",
@@ -224,6 +230,8 @@ REFUTED = [
     "rules:euler-for-devices",
     "rules:two-dampings",
     "rules:both-below-two",
+    "coupling:implicit",
+    "coupling:damper",
     "s4d-all-stabilising",
     "s4d-delay-shrinks",
     "s4c-extension-30",
@@ -231,6 +239,7 @@ REFUTED = [
     "one-delta",
 ]
 EXTERNAL = [
+    "coupling:passive-mass",
     "s3-unilateral",
     "tab2",
     "eq22",

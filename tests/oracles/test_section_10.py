@@ -8,6 +8,7 @@ from oracles.guarding import guards
 from oracles.motion import held
 from oracles.subject import page
 from scipy.linalg import expm
+from sympy import sympify
 
 DICE = 1810
 
@@ -248,3 +249,42 @@ def test_a_spring_takes_the_damping_of_hold_and_delay(late):
 def test_half_a_period_takes_more_than_the_rule():
     assert energy.left(1.0, 0.0, b=1.01, late=0.5) < 0
     assert energy.left(1.0, 0.0, b=1.01, late=0.0) > 0
+
+
+@guards("s10i_virtual_coupling")
+def test_a_coupling_takes_damping_of_the_device():
+    """At its counterexample the energy is negative, and at the corrected bound it is not."""
+    at = page("s10i_virtual_coupling").settled["coupling:damper"].verdict.counterexample
+    K, B, b, T = (float(sympify(at[name])) for name in ("K", "B", "b", "T"))
+    law = [K + B / T, -B / T]
+    assert B >= T * K / 2
+    assert energy.left_of(law, b, T) < 0 < energy.left_of(law, 1.001 * (K * T / 2 + B), T)
+
+
+@guards("s10i_virtual_coupling")
+def test_backward_euler_loses_energy():
+    """The step as a linear system, from many states and in steps short and long."""
+    dice = np.random.default_rng(DICE)
+    for _ in range(100):
+        m, k, T = 10 ** dice.uniform(-2, 2, 3)
+        state = dice.normal(size=2)
+        after = np.linalg.solve([[1, -T], [T * k / m, 1]], state)
+        before, left = (k * x**2 / 2 + m * v**2 / 2 for x, v in (state, after))
+        assert left < before
+        assert left == pytest.approx(before / (1 + k * T**2 / m))  # all frequencies fade alike
+
+
+@guards("s10i_virtual_coupling")
+def test_beside_a_spring_fewer_virtual_masses_are_stable():
+    """Eigenvalues of a free mass, with the last two positions as further states."""
+    found = []
+    for M in np.linspace(0.05, 2.5, 50):
+        for K in (0.01, 0.1, 0.5):
+            step = np.array([[1, 1, 0, 0], [0, 1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0]], float)
+            force = -np.array([K + M, 0, -2 * M, M])
+            size = radius(step + np.outer([0.5, 1, 0, 0], force))
+            found.append((M, size < 1))
+    stable = [M for M, fades in found if fades]
+    assert max(stable) < 2
+    assert min(stable) > 0.5
+    assert not all(fades for M, fades in found if M < 2)

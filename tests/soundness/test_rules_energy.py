@@ -6,14 +6,15 @@ Each is attacked where one of its conditions is missing.
 import numpy as np
 import pytest
 import sympy as sp
-from sympy import Abs, I, S, symbols
+from sympy import Abs, Add, I, Mul, Pow, S, symbols
 
 from symhaptic.book.lemmas.counts import spring_passive, wall_passive
-from symhaptic.notation import Delta_x, T, b, f_c, p_k, theta, x, y, z
+from symhaptic.notation import Delta_x, T, b, f_c, p_k, s, theta, x, y, z
 from symhaptic.notation.proposition import Not, Predicate, Relation, whole
-from symhaptic.proof.theorems.energy import dissipates, filtered, swing_gains
+from symhaptic.proof.theorems.energy import dissipates, filtered, swing_gains, toeplitz
 from symhaptic.proof.theorems.kernel import NotShown, assume
 from symhaptic.proof.theorems.leaves import identity, number
+from symhaptic.proof.theorems.roots import degree, hurwitz, jury
 
 K, c, f, q, n = symbols("K u f q n")
 WALL = (b, f_c, T, Delta_x)
@@ -52,6 +53,7 @@ def test_a_response_is_made_of_real_numbers_known_degrees_and_no_future():
         (K / (z - I * f), z - I * f, "not real"),
         (I * K / (z - f), z - f, "not real"),
         (sp.sqrt(K) / (z - f), z - f, "not real"),
+        (Abs(s + I), S.One, "not real"),  # s is complex: the mirror image is another number
         (K / (z - f), z - q, "no polynomial"),  # the filter of another response
         (z**n / (z - f), z - f, "no polynomial"),
         (K, z**n, "no polynomial"),
@@ -67,6 +69,7 @@ def test_the_angle_and_the_variable_are_bound():
         (theta / (z - f), z - f, c),
         (K / (z - theta), z - theta, c),
         (K, z - theta, c),
+        (K - theta, z + theta, c),  # their sum does not know the angle
     ):
         with pytest.raises(NotShown, match="bound"):
             filtered(response, below, z, damping, theta)
@@ -81,6 +84,39 @@ def test_a_loss_is_real():
 def test_a_divisor_of_the_response_is_asked_for():
     found = filtered(K / (T * (z - f)), z - f, z, c / q, theta)
     assert {Relation(t, "!=", S.Zero) for t in (T, q)} <= found.hypotheses
+
+
+def written(above, below):
+    """A quotient as it stands, of which SymPy cancels nothing."""
+    return Mul(above, Pow(below, -1), evaluate=False)
+
+
+VANISHING = q * z - q / 2
+"""A divisor that is zero for all z, for q = 0."""
+
+NOTHING = Add(Mul(S.Zero, z, evaluate=False), Mul(S.Zero, -S.Half, evaluate=False), evaluate=False)
+"""What becomes of it."""
+
+
+@pytest.mark.parametrize("above", [VANISHING, NOTHING])
+def test_a_divisor_with_the_variable_is_a_factor_of_the_denominator(above):
+    """Two answers that are the same 0/0 for q = 0 would be 1 and 0."""
+    quotient = written(above, VANISHING)
+    for use in (
+        lambda: filtered(quotient, z - S.Half, z, c, theta),
+        lambda: filtered(q * (z - S.Half) / (f * z - f / 2), z - S.Half, z, c, theta),
+        lambda: toeplitz(quotient, z, c, theta),
+        lambda: jury(Add(z, quotient, evaluate=False), z),
+        lambda: hurwitz(Add(z, quotient, evaluate=False), z),
+        lambda: degree(Add(z, quotient, evaluate=False), z, 1),
+    ):
+        with pytest.raises(NotShown, match="is about z"):
+            use()
+
+
+def test_a_polynomial_for_the_half_plane_has_no_negative_powers():
+    with pytest.raises(NotShown, match="is about s"):
+        hurwitz(Add(s, written(s, s), evaluate=False), s)
 
 
 # -- counted positions ----------------------------------------------------------------------
@@ -120,6 +156,8 @@ def test_nothing_pushes_and_nothing_is_stored():
     [
         ({"wall": (p_k, f_c, T, Delta_x)}, "bound"),
         ({"wall": (b, f_c, x, Delta_x)}, "bound"),
+        ({"wall": (S.Zero, Abs(p_k), T, Delta_x)}, "bound"),  # their product is 0
+        ({"wall": (x, 1 / x, T, Delta_x)}, "bound"),  # their product does not know the place
         ({"over": (x, x, p_k)}, "bound"),
         ({"force": K * x}, "of the count"),
         ({"force": K * p_k}, "of the count"),
@@ -144,6 +182,35 @@ def test_a_store_is_one_of_the_place_and_grows_by_what_is_taken(change, why):
     }
     with pytest.raises(NotShown, match=why):
         dissipates(**given | change)
+
+
+def test_a_force_and_a_store_have_values():
+    """At q = 0 both forces are the same 0/0: one passive, one not."""
+    nothing = number(Relation(S.Zero, "<=", S.Zero))
+    none = identity(S.Zero, S.Zero)
+    over = (x, y, p_k)
+    still = Mul(y, S.Zero, Pow(q, -1), evaluate=False)
+    found = dissipates(0, still, (0, 0, 1, 1), over, nothing, nothing, none)
+    assert Relation(q, "!=", S.Zero) in found.hypotheses
+    pushing = Mul(y, q, Pow(q, -1), evaluate=False)
+    gain = number(Relation(-S.Half, "<", S.Zero))
+    found = swing_gains(pushing, y, (0, 0, 1, 1), (S(1) / 4, S.Half, 0, 1), gain)
+    assert Relation(q, "!=", S.Zero) in found.hypotheses
+    loss = Mul(S.Zero, Pow(q, -1), evaluate=False)
+    found = dissipates(0, 0, (loss, 0, 1, 1), over, nothing, nothing, none)
+    assert Relation(q, "!=", S.Zero) in found.hypotheses
+
+
+def test_no_force_divides_by_its_place():
+    nothing = number(Relation(S.Zero, "<=", S.Zero))
+    none = identity(S.Zero, S.Zero)
+    still = Mul(S.Zero, y, Pow(y, -1), evaluate=False)
+    with pytest.raises(NotShown, match="is about y"):
+        dissipates(0, still, (0, 0, 1, 1), (x, y, p_k), nothing, nothing, none)
+    gain = number(Relation(-S.Half, "<", S.Zero))
+    pushing = Mul(y, y, Pow(y, -1), evaluate=False)
+    with pytest.raises(NotShown, match="is about y"):
+        swing_gains(pushing, y, (0, 0, 1, 1), (S(1) / 4, S.Half, 0, 1), gain)
 
 
 def swing(force, start, way, one, other, wall=WALL):

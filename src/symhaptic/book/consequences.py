@@ -143,8 +143,13 @@ RULES: dict[str, str] = {
     "$B=2m\\tau_f/(T(T+4\\tau_f))$; beyond, use the bound of \\chapter{s10f_filtered_mass}.",
     "rules:energy-leak": "With a delay of $d$ periods the damper needs $2d+1$ times as much.",
     "rules:delay-damping": "Round a fractional delay up to whole periods.",
+    "coupling:damper": "Let the damping of the device outweigh $KT/2+|B|$, and lower $K$ where it "
+    "does not.",
+    "coupling:implicit": "None for passivity; what swings in the simulation is damped by the step.",
+    "coupling:stable-mass": "With a delay of one period keep to 62 per cent of it.",
+    "coupling:ratio": "None: 2.4 kg is too heavy either way.",
 }
-"""The same of the rules in circulation, which are no errata of the paper."""
+"""The same of the other sources, which are no errata of the paper."""
 
 IMPORTANCE: tuple[tuple[str, dict[str, str]], ...] = (
     ("What can make a device unstable or active", UNSAFE),

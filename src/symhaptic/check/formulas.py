@@ -26,6 +26,7 @@ from symhaptic.numeric.compiled import of
 from symhaptic.numeric.linear import linear_limit
 from symhaptic.numeric.plant import discretize, discretize_fractional
 from symhaptic.numeric.stability import is_stable, unstable_roots
+from symhaptic.numeric.tracing.extremes import limit_at
 
 At = dict[str, Any]
 _NO_FRACTION = "fractional delays: the published equation is for integer ones"
@@ -171,6 +172,62 @@ def _stiffest(gamma: Any, delta: Any, d: float) -> tuple[Any, ...]:
 
 _INSIDE = 1e-6
 """A wall by so much softer than the largest stable stiffness has to be stable."""
+
+
+@cache
+def _limit(beta: float, gamma: float, delta: float, d: float) -> tuple[Any, ...]:
+    """The largest stable stiffness with a damping, on the boundary or on the line of a root at -1.
+
+    Softer walls are stable, stiffer ones are not.
+    """
+    nothing, plant = (None, None), (gamma, delta, d)
+    rough, angle = map(float, limit_at(beta, *plant))
+    if not (_is_simple(*plant) and math.isfinite(rough)):
+        return nothing
+    if angle == math.pi:
+        whole = math.floor(d)
+        x = winding.plant(gamma, delta, arb(d) - whole)
+        found = (-1) ** (whole % 2) * (1 + x.a + x.e) / (x.m2 - x.m1 + x.m0) - 2 * arb(beta)
+        theta = arb.pi()
+    else:
+        theta = _angle_of(beta, plant, angle)
+        found = arb("nan") if theta is None else EXACT["stability_boundary"](theta, *plant)[0]
+    if not found.is_finite():
+        return nothing
+    size = float(found) + gamma
+    walls = (float(found) + by * size for by in (-_INSIDE, _INSIDE, 0.3, 1.0, 4.0, 20.0))
+    softer, *stiffer = (winding.stable(wall, beta, *plant) for wall in walls)
+    return nothing if not softer or any(one is not False for one in stiffer) else (found, theta)
+
+
+def _angle_of(beta: float, plant: Point, angle: float) -> arb | None:
+    """The angle near a given one at which the boundary has a damping, by secants, then enclosed."""
+
+    def over(theta: arb) -> arb:
+        return EXACT["stability_boundary"](theta, *plant)[1] - beta
+
+    one, two = arb(angle), arb(angle) * (1 - arb(2) ** -30)
+    for _ in range(6):
+        rise = over(two) - over(one)
+        if rise.contains(0):
+            break
+        one, two = two, (two - over(two) * (two - one) / rise).mid()
+    near = two * arb(2) ** -90
+    at_low, at_high = over(two - near), over(two + near)
+    return two + arb(0, near) if at_low * at_high < 0 else None
+
+
+def _limit_sizes(beta: float, gamma: float, delta: float, d: float) -> tuple[float, float]:
+    """Sizes of the terms of the boundary, and what an error of its damping does to the rest."""
+    plant = gamma, delta, d
+    alpha, theta = map(float, limit_at(beta, *plant))
+    if not theta < math.pi:
+        return abs(alpha) + abs(beta) + gamma, 1.0
+    ends = theta * (1 - 1e-6), theta * (1 + 1e-6)
+    (low_K, low_B), (high_K, high_B) = (stability_boundary(end, *plant) for end in ends)
+    of_K, of_B = _curve(theta, *plant)
+    per_B = abs(of_B / (high_B - low_B))
+    return of_K + abs(high_K - low_K) * per_B, theta + 2e-6 * theta * per_B
 
 
 def _not_stiffest(point: Point, got: Sequence[float]) -> str:
@@ -331,6 +388,16 @@ FUNCTIONS = (
             lambda g, dl, d: (g + 1 / (d + 1) ** 2, FLAT * (1 + g), FLAT + 0 * d), balls=300,
             flat=("beta", "theta"), derived=_softer, precisions=1,
             refused=lambda *plant: not _is_simple(*plant), refutes=_not_stiffest, open=(_STIFF,)),
+    Checked("limit_at",
+            _args("beta gamma delta d",
+                  beta=replace(ARGUMENTS["beta"], least=1e-8, most=2.0),
+                  gamma=replace(ARGUMENTS["gamma"], most=1e3),
+                  delta=replace(ARGUMENTS["delta"], most=100.0),
+                  d=replace(ARGUMENTS["d"], most=1e3)), ("alpha", "theta"), _limit, None,
+            _limit_sizes, balls=120, derived=_softer, precisions=1,
+            refused=lambda *at: _limit(*at)[0] is None,
+            open=(_STIFF.partition(";")[0].replace("beta and theta", "limits"),
+                  "dampings at which no wall is stable")),
     *(Checked(name, _SOFT, ("d",), _largest_delay, None, balls=120, derived=_on_curve,
               precisions=1, open=("delay margins above 1e+06 periods",))
       for name in ("delay_margin", "max_delay")),

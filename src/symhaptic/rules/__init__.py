@@ -1,17 +1,25 @@
-"""What do people use?  Limits of the stiffness that are in circulation, as they are used.
+"""What do people use?  Limits of the stiffness that are in circulation, and a design record.
 
-A second source beside the paper: each rule with who uses it, and what it claims of a wall, and
-devices with what is published of them.  Nothing is computed here and nothing is corrected.  Imports
-``notation`` and ``paper``; used by ``book`` and ``scene``, and never reached from ``model``.
+* ``statements``, ``claims``: rules for the paper's loop, with who uses them and what they claim
+* ``other_loops``: rules for loops with filters and other parts
+* ``coupling``: a design record that can be read in full
+* ``devices``: devices as they are published
+
+These are sources beside the paper: nothing is computed or corrected here.  The rules of the kernel
+are in `proof/theorems`.  Imports ``notation`` and ``paper``; used by ``book``, ``scene`` and
+``check``, and never reached from ``model``.
 """
 
 from __future__ import annotations
 
+from symhaptic.rules import coupling
 from symhaptic.rules.statements import OTHER_LOOPS, RULES, SOURCE
+
+SOURCES = (SOURCE, coupling.SOURCE)
 
 PLAIN = {s.id: s for s in RULES}
 """Limits of the stiffness for the paper's loop."""
 
-STATEMENTS = PLAIN | {s.id: s for s in OTHER_LOOPS}
+STATEMENTS = PLAIN | {s.id: s for s in OTHER_LOOPS} | coupling.STATEMENTS
 
-__all__ = ["PLAIN", "SOURCE", "STATEMENTS"]
+__all__ = ["PLAIN", "SOURCES", "STATEMENTS"]

@@ -83,7 +83,7 @@ def _virtual_mass(printed: Printed) -> Proposition:
     return ForAll((K, B, b, T, m_v), implied(given, Iff((both(printed), HEAVY))))
 
 
-@claims("rules:virtual-mass-stable")
+@claims("rules:virtual-mass-stable", "coupling:stable-mass")
 def _virtual_mass_stable(printed: Printed) -> Proposition:
     given = [m > 0, m_v >= 0, whole(d)]
     return ForAll((m_v, m, d), implied(given, Iff((both(printed), FREELY))))

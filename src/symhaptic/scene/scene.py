@@ -64,7 +64,7 @@ class Scene(DeviceLoop):
         The arm that holds the device.
     dynamics : LinearDevice, optional
         Any linear device, instead of mass, damping, stiffness and arm.
-    velocity : LowPass, Average, Window, Filter, Measured or Difference, optional
+    velocity : LowPass, Average, Window, Filter, Measured, Oversampled or Difference, optional
         What the wall takes for the velocity; (x_k - x_(k-1))/T if left out, as in the paper.
     actuator : Lag, optional
         A lag between the command and the force.
@@ -476,7 +476,8 @@ class Scene(DeviceLoop):
         Notes
         -----
         Without delay K <= min(2 b/T, 2 f_c/Delta) [1]_, with the friction f_c and the resolution
-        Delta.  With a delay, :meth:`max_passive_stiffness` for B = 0 takes the place of 2 b/T.
+        Delta.  With a delay, :meth:`max_passive_stiffness` for B = 0 takes the place of 2 b/T.  A
+        virtual mass M takes 4 M/T^2 from the limit by friction.
         The bound is sufficient for passivity; :meth:`simulate` shows motions beyond it.
 
         .. [1] J. J. Abbott and A. M. Okamura, "Effects of position quantization and sampling rate
@@ -598,12 +599,15 @@ class Scene(DeviceLoop):
         -------
         dict of str to float
             By the name of the parameter.  A parameter that is left out or 0 has no entry.  The
-            arm's parameters are ``arm_mass``, ``arm_damping`` and ``arm_stiffness``.
+            arm's parameters are ``arm_mass``, ``arm_damping`` and ``arm_stiffness``, and those of
+            parts are named alike, such as ``velocity_cutoff`` or ``structure_mass``; whole numbers
+            and the coefficients of a ``Filter`` or of ``dynamics`` have no entry.
 
         Notes
         -----
         When the sampling period changes, a delay given in s stays constant in s, and a delay given
-        in periods stays constant in periods.  Computed by differences, to about 1e-6.
+        in periods stays constant in periods.  The delay of a simulator is always whole periods.
+        Computed by differences, to about 1e-6.
 
         Examples
         --------

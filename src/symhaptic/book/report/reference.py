@@ -24,7 +24,7 @@ PREFIX = "reference:"
 GROUPS = {
     "A device in SI units": ("Scene", "Arm", "ArmRange"),
     "Parts of a loop": (
-        *("LowPass", "Average", "Window", "Filter", "Measured", "Difference"),
+        *("LowPass", "Average", "Window", "Filter", "Measured", "Oversampled", "Difference"),
         *("Lag", "SecondMass", "LinearDevice", "Encoder"),
     ),
     "Stable walls": (

@@ -24,10 +24,8 @@ _REAL = (*_SMOOTH, sp.atan)
 _ALWAYS_REAL = (sp.Abs, sp.re, sp.im)
 
 
-def conditions(*terms: Expr | Term, but: Symbol | None = None) -> frozenset[Proposition]:
+def conditions(*terms: Expr | Term) -> frozenset[Proposition]:
     """Relations that together are sufficient for all the terms to have a value.
-
-    Those that know a symbol are left out (``but``), such as that z != 0 for a polynomial in z.
 
     >>> x = sp.Symbol("x")
     >>> conditions(1/x + sp.sin(x)) == {Relation(x, "!=", sp.S.Zero)}
@@ -35,7 +33,7 @@ def conditions(*terms: Expr | Term, but: Symbol | None = None) -> frozenset[Prop
     >>> conditions(sp.Add(1/x, -1/x, evaluate=False)) == conditions(1/x)
     True
     """
-    return frozenset(c for t in terms for c, _ in limits(t) if but not in c.free)
+    return frozenset(c for t in terms for c, _ in limits(t))
 
 
 def needed(*terms: Expr | Term, by: Proposition | None = None) -> frozenset[Proposition]:

@@ -24,9 +24,9 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.notation.terms import term
 from symhaptic.proof.normal import is_zero
-from symhaptic.proof.theorems.definedness import conditions, real
+from symhaptic.proof.theorems.definedness import conditions, mirrors, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, relation, rule, without
-from symhaptic.proof.theorems.roots import coefficients, summands
+from symhaptic.proof.theorems.roots import coefficients, divisors, summands
 
 SOURCES = {
     "toeplitz": "a Toeplitz form is non-negative where its symbol is, and only there; "
@@ -57,7 +57,7 @@ def toeplitz(response: Any, variable: Symbol, damping: Any, angle: Symbol) -> Ju
         raise NotShown("the angle and the variable are bound")
     if not real(damping):
         raise NotShown(f"{damping} is not real by its form")
-    hypotheses = set(conditions(damping, response, but=variable))
+    hypotheses = set(divisors(variable, damping, response))
     static, margin = _ZERO, damping
     for exponent, coefficient in summands(response, variable):
         hypotheses |= {whole(-exponent), *conditions(coefficient)}
@@ -77,30 +77,36 @@ def filtered(
     """The same for H = N/D: its answers are those of a filter D, and fade.
 
     N and D (``denominator``) are real polynomials in z of known degrees, D is monic and N not of
-    higher degree; that all zeros of D lie inside is a hypothesis.
+    higher degree; that all zeros of D lie inside is a hypothesis.  H divides by factors of D only.
     """
     response, damping, below = term(response), term(damping), term(denominator)
-    if {variable, angle} & damping.free_symbols or angle in (response + below).free_symbols:
+    if {variable, angle} & damping.free_symbols:
         raise NotShown("the angle and the variable are bound")
+    if angle in response.free_symbols | below.free_symbols:
+        raise NotShown("the angle is bound")
     if not real(damping):
         raise NotShown(f"{damping} is not real by its form")
     above = sp.cancel(response * below)
     falling = [coefficients(of, variable) for of in (above, below)]
     if falling[1][0] != 1 or len(falling[0]) > len(falling[1]):
         raise NotShown(f"{below} is not monic, or of a lower degree than {above}")
-    if not all(real(c) for of in falling for c in of) or not is_zero(response * below - above):
+    if not all(real(c) and mirrors(c) for of in falling for c in of):
         raise NotShown(f"{response} is not real by its form")
+    if not is_zero(response * below - above):
+        raise NotShown(f"{response} is not {above} by {below}")
     turn = sp.exp(sp.I * angle)
-    lag, static = (
-        above.xreplace({variable: at}) / below.xreplace({variable: at}) for at in (turn, sp.S.One)
-    )
+    at = [[sp.Add(*(c * w**n for n, c in enumerate(f[::-1]))) for f in falling] for w in (turn, 1)]
+    lag, static = (over / under for over, under in at)
     lag /= turn - 1
     margin = damping + (lag + lag.xreplace({sp.I: -sp.I})) / 2
     inside = And((Relation(_ZERO, "<", angle), Relation(angle, "<", sp.pi)))
     always = ForAll((angle,), Implies((inside, Relation(_ZERO, "<=", margin))))
     energy = Predicate("passive", (variable,), (response, damping))
     fades = Predicate("stable", (variable,), (below,))
-    hypotheses = {fades, *conditions(damping, response, below, but=variable)}
+    powers = [f.as_base_exp() for f in sp.Mul.make_args(below)]
+    factors = [base for base, exponent in powers if exponent.is_Integer and exponent > 0]
+    hypotheses = {fades, *divisors(variable, damping, response, below, apart=factors)}
+    hypotheses |= conditions(*falling[0], *falling[1])
     return hypotheses, Iff((energy, And((Relation(_ZERO, "<=", static), always))))
 
 
@@ -148,9 +154,9 @@ def dissipates(
     Of x, its count y and the way p of a period (``over``) it is shown that 0 <= F(y) p + b p^2/T +
     f_c |p| - S(x + p) + S(x), for y - Delta/2 <= x <= y + Delta/2, and that 0 <= S(x) and S(0) = 0.
     """
-    store, force, (b, friction, period, step) = term(store), term(force), map(term, wall)
-    x, y, p = over
-    if {x, y, p} & (b * friction * period * step).free_symbols or len({x, y, p}) < 3:
+    store, force, parts = term(store), term(force), tuple(map(term, wall))
+    (b, friction, period, step), (x, y, p) = parts, over
+    if any({x, y, p} & part.free_symbols for part in parts) or len({x, y, p}) < 3:
         raise NotShown("place, count and way are bound")
     if {x, p} & force.free_symbols or {y, p} & store.free_symbols:
         raise NotShown("a force is of the count, and a store of the place")
@@ -164,10 +170,11 @@ def dissipates(
         raise NotShown(f"{none.conclusion} does not say that nothing is stored at the start")
     near = {Relation(y - step / 2, "<=", x), Relation(x, "<=", y + step / 2)}
     hypotheses = (growth.hypotheses - near) | some.hypotheses | none.hypotheses
+    hypotheses |= conditions(store, force, *parts)
     without([x, y, p], hypotheses)
     given = {Relation(_ZERO, "<", period), Relation(_ZERO, "<", step)}
     given |= {Relation(_ZERO, "<=", b), Relation(_ZERO, "<=", friction)}
-    return hypotheses | given, counted(force, y, (b, friction, period, step))
+    return hypotheses | given, counted(force, y, parts)
 
 
 @rule
@@ -180,18 +187,20 @@ def swing_gains(
     x + p (``swing``, in this order).  F(l Delta) p - F(n Delta) p + 2 b p^2/T + 2 f_c |p| < 0
     (``gain``).
     """
-    force, (b, friction, period, step) = term(force), map(term, wall)
-    x, p, *counts = map(term, swing)
-    for part in (b, friction, period, step, x, p, *counts):
+    force, parts, moved = term(force), tuple(map(term, wall)), tuple(map(term, swing))
+    (b, friction, period, step), (x, p, *counts) = parts, moved
+    for part in (*parts, *moved):
         if place in part.free_symbols or not real(part):
             raise NotShown(f"{part} is not real by its form, or {place} is bound")
+    defined = conditions(force, *parts, *moved)
+    without([place], defined)
     one, other = (force.xreplace({place: n * step}) for n in counts)
     energy = one * p - other * p + 2 * b * p**2 / period + 2 * friction * sp.Abs(p)
     if gain.conclusion != Relation(energy, "<", _ZERO):
         raise NotShown(f"{gain.conclusion} does not say that {energy} is negative")
-    hypotheses = set(gain.hypotheses) | conditions(*(term(t) for t in swing))
+    hypotheses = gain.hypotheses | defined
     for at, n in zip((x, x + p), counts, strict=True):
         hypotheses |= {whole(n), Relation(n * step - step / 2, "<", at)}
         hypotheses |= {Relation(at, "<", n * step + step / 2)}
     hypotheses |= {Relation(_ZERO, "<", period), Relation(_ZERO, "<", step)}
-    return hypotheses, Not((counted(force, place, (b, friction, period, step)),))
+    return hypotheses, Not((counted(force, place, parts),))

@@ -81,6 +81,18 @@ def _says(theorem: Theorem, sign: str, value: Expr) -> None:
         raise NotShown(f"{claim} is not said of {value}")
 
 
+def divisors(variable: Symbol, *terms: Expr, apart: Iterable[Expr] = ()) -> frozenset[Proposition]:
+    """Conditions of terms that divide by no other term with the variable than by itself.
+
+    And by those that are known to differ from zero (``apart``).  Another might vanish for all z at
+    some values of its parameters, as q z - q/2 does at q = 0, and nothing could ask for that: the
+    variable is bound.
+    """
+    found = conditions(*terms) - {Relation(t, "!=", _ZERO) for t in (variable, *apart)}
+    without([variable], found)
+    return found
+
+
 def _zeros(polynomial: Expr, variable: Symbol) -> Predicate:
     return Predicate("stable", (variable,), (polynomial,))
 
@@ -141,7 +153,7 @@ def jury(polynomial: Any, variable: Symbol) -> Judgement:
     inners = [inner(falling, order) for order in range(1 + degree % 2, degree, 2)]
     positive = [*half_planes(falling[::-1]), *map(determinant, inners)]
     wanted = And(tuple(Relation(_ZERO, "<", sp.expand(p)) for p in positive))
-    return conditions(polynomial, but=variable), Iff((_zeros(polynomial, variable), wanted))
+    return divisors(variable, polynomial), Iff((_zeros(polynomial, variable), wanted))
 
 
 @rule
@@ -156,8 +168,10 @@ def hurwitz(polynomial: Any, variable: Symbol) -> Judgement:
     degree = len(falling) - 1
     if degree < 1 or not all(real(c) for c in falling):
         raise NotShown(f"{polynomial} has no zeros, or is not real by its form")
+    hypotheses = conditions(polynomial)
+    without([variable], hypotheses)
+    hypotheses |= {Relation(_ZERO, "<", falling[0])}
     zeros = Predicate("hurwitz", (variable,), (polynomial,))
-    hypotheses = conditions(polynomial, but=variable) | {Relation(_ZERO, "<", falling[0])}
     return hypotheses, Iff((zeros, And(_minors(falling, degree))))
 
 
@@ -291,7 +305,7 @@ def _unmoved(
         _says(theorem, "!=", _at(f, variable, w) + share * _at(g, variable, w))
         hypotheses |= theorem.hypotheses.difference(within, part_way)
     without([share, place], hypotheses)
-    return hypotheses | conditions(f, g, but=variable)
+    return hypotheses | divisors(variable, f, g)
 
 
 @rule
@@ -357,7 +371,7 @@ def degree(polynomial: Any, variable: Symbol, power: Any) -> Judgement:
     hypotheses = _whole(powers)
     for exponent in powers.keys() - {power}:
         hypotheses |= _not_negative(power - exponent - 1)
-    hypotheses |= {Relation(powers[power], "!=", _ZERO), *conditions(polynomial, but=variable)}
+    hypotheses |= {Relation(powers[power], "!=", _ZERO), *divisors(variable, polynomial)}
     return hypotheses, Predicate("degree", (variable,), (polynomial, power))
 
 

@@ -1,0 +1,166 @@
+r"""Is a virtual coupling passive if its damper outweighs half of its spring?
+
+In a laboratory a delta.3 has to feel as heavy as 2.4 kg. Its design record is public. It says why a
+force in proportion to the acceleration cannot do that, and what is done instead: a computer
+simulates the mass by backward Euler, and a spring and a damper couple it to the device. We check
+each number and each relation of the record.
+"""
+
+from sympy import Eq, Rational, S
+
+from symhaptic.book.lemmas.coupling import drives, fades_alone, loses_energy, passive_by_device
+from symhaptic.book.lemmas.decided import escapes
+from symhaptic.book.lemmas.prelude import show
+from symhaptic.book.lemmas.virtual_mass import free, swings_up
+from symhaptic.book.sources import CLAIMED, STATEMENTS
+from symhaptic.notation import B, K, T, b, d, k, m, m_v, v, x, z
+from symhaptic.notation.proposition import proposition
+from symhaptic.paper.reading import read
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import add_assum, subst
+from symhaptic.proof.theorems.leaves import number, roots_inside
+from symhaptic.proof.theorems.tactics import counterexample, every, example, for_all
+from symhaptic.rules.coupling import AFTER, BEFORE, NEXT_V, NEXT_X, SPRUNG
+
+DAMPER, HEAVY, BESIDE, IMPLICIT = (
+    f"coupling:{name}" for name in ("damper", "stable-mass", "beside-spring", "implicit")
+)
+RATE = Rational(1, 4000)
+RIGHT = r"b \geq \frac{KT}{2} + |B|"
+
+
+def derive(page):
+    _damper(page)
+    _implicit(page)
+    _masses(page)
+    _numbers(page)
+
+
+def _damper(page):
+    """The coupling as a wall: its other end, the simulated mass, is held."""
+    page.say(
+        "The device is at $x$, the simulated mass at $x_s$, and the coupling pulls with "
+        "$K(x_s-x)+B(v_s-v)$. A coupling that is passive with every mass is passive with a very "
+        "heavy one, which stays where it is. Then the coupling is a wall."
+    )
+    [right] = read(RIGHT)
+    claim = CLAIMED[DAMPER](STATEMENTS[DAMPER].printed)
+    symbols, given, _ = taken_apart(CLAIMED[DAMPER]((right,)))
+    found = page.lemma(
+        "A coupling is passive if the damping of the device outweighs both its spring and its "
+        "damper",
+        passive_by_device(right),
+        boxed=True,
+    )
+    wall = {K: S(2), B: S.One, b: S.One, T: S.One}
+    page.settle(
+        DAMPER,
+        for_all(symbols, given, add_assum(found, *given)),
+        corrected=[RIGHT],
+        misprint=False,
+        example=example(wall | {b: S(2)}, given),
+        unless=[counterexample(claim, wall, drives(wall))],
+        shows="$K=2$, $B=T=b=1$ meets the record and gives energy away; it needs $b=2$",
+        note="the damper that has to outweigh $KT/2$ is that of the device, and a virtual damper "
+        "needs damping of its own: more $B$ makes the coupling less passive",
+    )
+
+
+def _implicit(page):
+    """The simulation of the mass."""
+    claim = CLAIMED[IMPLICIT](())
+    symbols, given, _ = taken_apart(claim)
+    page.say(
+        "Backward Euler goes from $x$, $v$ to $p=x+Tq$ and $q=v-Tkp/m$. The energy is "
+        "$\\frac12mv^2+\\frac12kx^2$ before and $\\frac12mq^2+\\frac12kp^2$ after the step."
+    )
+    found = page.lemma(
+        "A step of backward Euler never raises the energy of a mass and a spring",
+        loses_energy(),
+        because="it loses $\\frac12m(v-q)^2+\\frac12k(x-p)^2$",
+        boxed=True,
+    )
+    step = {m: S.One, k: S.One, T: S.One, x: S.One, v: S.Zero}
+    step |= {NEXT_X: S.Half, NEXT_V: -S.Half}
+    page.settle(
+        IMPLICIT,
+        for_all(symbols, given, add_assum(found, *given)),
+        instead=every(symbols, given, AFTER <= BEFORE),
+        corrected=[r"\text{the energy does not grow; each step that moves loses some}"],
+        misprint=False,
+        example=example(step, given),
+        unless=[counterexample(claim, step)],
+        shows="$m=k=T=1$: from $x=1$ at rest, half of the energy is left after one step",
+        note="never more energy is what passivity needs; an oscillation of the simulated mass is "
+        "damped by the method",
+    )
+
+
+def _masses(page):
+    """A virtual mass by the acceleration."""
+    claim = CLAIMED[HEAVY](STATEMENTS[HEAVY].printed)
+    symbols, given, _ = taken_apart(claim)
+    given = [*given, Eq(d, 0)]
+    slow = {m_v: Rational(3, 2), m: S.One, d: S.One}
+    page.settle(
+        HEAVY,
+        for_all(symbols, given, add_assum(free(), *given)),
+        example=example(slow | {d: S.Zero}, given),
+        unless=[counterexample(claim, slow, swings_up(slow), but=Eq(d, 0))],
+        shows="$m_v=\\tfrac32m$ delayed by one period swings up",
+        note="exact for a free mass without delay, see \\chapter{s10b_virtual_mass}",
+    )
+    claim = CLAIMED[BESIDE](())
+    symbols, given, _ = taken_apart(claim)
+    found = page.lemma(
+        "A virtual mass that is stable beside a spring is stable alone",
+        fades_alone(),
+        because="the product of the zeros is $m_v/(2m)$ with and without the spring",
+    )
+    stiff = {m_v: S.One, m: S.One, K: Rational(1, 10), T: S.One}
+    page.settle(
+        BESIDE,
+        for_all(symbols, given, add_assum(found, *given)),
+        example=example(stiff, given, roots_inside(SPRUNG.at(stiff).terms[0], z, {})),
+        note="for a free mass without delay and damping",
+    )
+    light = {m_v: Rational(1, 4), m: S.One, K: Rational(1, 10), T: S.One}
+    page.lemma(
+        "Beside the spring $KT^2/m=\\frac1{10}$ a virtual mass of $\\frac14m$ is not stable",
+        escapes(SPRUNG, light),
+        because="sampling drives the spring more than so light a virtual mass damps it",
+    )
+
+
+def _numbers(page):
+    """What the record says of a device at 4 kHz."""
+    for id in ("coupling:period", "coupling:noise"):
+        claim = CLAIMED[id](STATEMENTS[id].printed)
+        symbols, given, then = taken_apart(claim)
+        at_rate = number(then.at({T: RATE}))
+        page.settle(
+            id,
+            for_all(symbols, given, subst(then, T, at_rate, show(Eq(RATE, T), *given))),
+            example=example({T: RATE}, given),
+        )
+    page.settle("coupling:rest", number(proposition(STATEMENTS["coupling:rest"].printed[0])))
+    page.say(
+        "The second difference has the weights 1, $-2$ and 1. Errors of up to $e$ in three samples "
+        "therefore become up to $4e/T^2$, 64 million times $e$."
+    )
+    page.settle_external(
+        "coupling:passive-mass",
+        "on the damping of the device, which the record does not give",
+        "a virtual mass is passive up to $bT/2$, which is 12.5 mg for $b=0.1$ Ns/m, and micrograms "
+        "only for $b$ of about $10^{-4}$ Ns/m or less",
+    )
+    page.say(
+        "The record gives the device 0.4 to 0.5 kg, of which 2.4 kg are 4.8 to 6 times as much. "
+        "Twelve is the ratio to 0.2 kg, half of the smaller mass."
+    )
+    page.settle_slip(
+        "coupling:ratio",
+        "~5–12×",
+        r"4.8\ \text{to}\ 6",
+        "the record itself names 0.4 to 0.5 kg; of half of it the ratio would be 9.6 to 12",
+    )
