@@ -309,7 +309,7 @@ def test_what_the_signs_are_made_of():
             for ours, theirs in zip((surplus, mass), found, strict=True):
                 assert abs(value(ours, **at) - theirs) < 1e-30
 
-    half = r"A device that has $\omega_dT<\pi$ has"
+    half = r"A device with $\omega_dT<\pi$ has"
     titles = rf"{half} $s_1\ge\delta+\frac12\gamma$", f"{half} $s_2>0$"
     only(agrees, *(said(SIGNS, title).conclusion.terms[1] for title in titles))
     for gamma, delta in ((0.3, 0.2), (9.0, 0.05), (1.0, 4.0)):
