@@ -63,7 +63,7 @@ def half_circle(axes: Any) -> None:
     plant, wall = _parts(z, alpha, beta)
     leads = np.abs(wall) > np.abs(plant)
     _plane(left)
-    for part, colour, label in ((~leads, PLANT, "plant dominates"), (leads, WALL, "wall dominates")):
+    for part, colour, label in ((~leads, PLANT, "plant larger"), (leads, WALL, "wall larger")):
         drawn = np.where(part, z, np.nan)
         left.plot(drawn.real, drawn.imag, color=colour, linewidth=2.2, label=label)
     roots = _roots(alpha, beta)
