@@ -10,20 +10,11 @@ import numpy as np
 import pytest
 from flint import arb
 
-from symhaptic.bench import (
-    error,
-    functions,
-    measuring,
-    models,
-    peers,
-    timing,
-    tracing,
-    verdicts,
-    winding,
-)
+from symhaptic.balls import winding
+from symhaptic.balls.exact import EXACT
+from symhaptic.bench import error, functions, measuring, models, peers, timing, tracing, verdicts
 from symhaptic.bench.error import errors as exported_errors
 from symhaptic.bench.error import suspects
-from symhaptic.bench.exact import EXACT
 from symhaptic.bench.functions import Effort, WrongExact, chosen, confirm, errors
 from symhaptic.bench.printed import expressions, function, swings
 from symhaptic.book.chapters import expected_bench

@@ -17,9 +17,9 @@ import numpy as np
 from flint import arb
 
 import symhaptic
+from symhaptic.balls.exact import EXACT, bits
 from symhaptic.bench import points
 from symhaptic.bench.error import exactly, functions, largest
-from symhaptic.bench.exact import EXACT, bits
 from symhaptic.bench.exported import compiled
 from symhaptic.bench.points import Array
 from symhaptic.bench.printed import expressions, function, swings

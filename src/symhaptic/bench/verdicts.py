@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from symhaptic.bench import winding
+from symhaptic.balls import winding
 from symhaptic.bench.exported import compiled
 from symhaptic.bench.points import Array
 from symhaptic.bench.printed import function

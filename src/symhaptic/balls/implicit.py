@@ -1,6 +1,6 @@
 """Exact values of what is searched for: a fine grid, then Newton's steps on power series of balls.
 
-Made of the formulas in :mod:`symhaptic.bench.closed`.
+Made of the formulas in :mod:`symhaptic.balls.closed`.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from typing import Any
 import flint
 from flint import arb, arb_series
 
-from symhaptic.bench import closed, winding
-from symhaptic.bench.closed import HALF, SHORT, required_damping, required_damping_at
-from symhaptic.bounds.balls import narrowed
+from symhaptic.balls import closed, winding
+from symhaptic.balls.closed import HALF, SHORT, required_damping, required_damping_at
+from symhaptic.balls.zeros import narrowed
 
 _MANY = 40
 """Angles up to theta (d + 1) = pi."""

@@ -20,8 +20,8 @@ import flint
 import numpy as np
 from flint import acb, acb_poly, arb, arb_poly
 
-from symhaptic.bench.closed import delayed, device
-from symhaptic.bounds.balls import narrowed
+from symhaptic.balls.closed import delayed, device
+from symhaptic.balls.zeros import narrowed
 
 BITS = (160, 320, 640, 1280, 2560)
 """Working precisions, tried one after the other."""
