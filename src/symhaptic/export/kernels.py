@@ -1,6 +1,7 @@
 """The package's own kernels: what the exporter writes for arrays and in C, committed.
 
 ``kernels/ufuncs.cpp`` makes NumPy's ufuncs from the C; this module writes the table that it needs.
+``kernels/filter.cpp`` is what they ask before the C.
 """
 
 from __future__ import annotations
@@ -26,9 +27,9 @@ _HEADER = "# Written by `symhaptic kernels` from the stable forms; do not edit.\
 
 _REMARK = "/* Written by `symhaptic kernels` from the stable forms; do not edit. */\n"
 
-_WRITTEN = ("*.py", "*.pyi", "*.c", "*.h")
+_WRITTEN = ("*.py", "*.pyi", "*.c", "table.h")
 
-_UFUNCS = FOLDER / "ufuncs.cpp"
+_BY_HAND = "ufuncs.cpp", "filter.cpp", "filter.h"
 
 _INSIDE = ("LateDevice",)
 """Routines of the library that are ufuncs, too, for callers that have checked the ranges."""
@@ -109,7 +110,8 @@ def files() -> dict[str, str]:
         heads += re.findall(r"^\w+ \w+\([^)]*\);$", files[f"{name}.h"], re.M)
         heads += [f"{head.removesuffix(' {')};" for head, *_ in whole]
     in_c = {"haptic.c": _BOTH + both(*sources), "haptic_single.c": _SINGLE}
-    parts = [*in_c.values(), _UFUNCS.read_text(encoding="utf-8"), _table(library, heads, "")]
+    by_hand = [(FOLDER / name).read_text(encoding="utf-8") for name in _BY_HAND]
+    parts = [*in_c.values(), *by_hand, _table(library, heads, "")]
     stamp = sha256("".join(parts).encode()).hexdigest()[:16]
     in_c |= {"table.h": _table(library, heads, stamp), "_compiled.pyi": _typed(library)}
     made |= {"__init__.py": _ABOUT % stamp} | in_c
@@ -219,6 +221,7 @@ def _typed(library: Library) -> str:
     lines = [
         "from typing import Any\n\nfrom numpy import ufunc\n",
         *(f"{code_name(n)}: ufunc" for n in (*public, *(r.name for r in _inside(library)))),
+        "certain_roots: ufunc",
         "\nSTAMP: str\n\ndef outside() -> bool: ...",
         *(f"def one_{name}(*numbers: Any) -> Any: ..." for name in public),
     ]

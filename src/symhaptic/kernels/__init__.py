@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "3def2c0259ffad48"
+STAMP = "166d36175612d174"
 """Of the sources in C, as the module that is compiled of them has it."""
