@@ -14,7 +14,13 @@ import flint
 from flint import arb, arb_series
 
 from symhaptic.balls import closed, winding
-from symhaptic.balls.closed import HALF, SHORT, required_damping, required_damping_at
+from symhaptic.balls.closed import (
+    HALF,
+    SHORT,
+    periods,
+    required_damping,
+    required_damping_at,
+)
 from symhaptic.balls.zeros import narrowed
 
 _MANY = 40
@@ -55,7 +61,7 @@ def largest_required_damping(alpha: float, beta: float, d: float) -> tuple[Any, 
     R (1 + rho)/2, which falls with the angle.  Pieces of the first half turns of the delay are
     enclosed up to the angle from which this bound is below what was found.
     """
-    whole = math.floor(d)
+    whole = periods(d)
     part = arb(d) - whole
     turn = arb.pi() / (arb(d) + 1)
     if alpha == 0 and (part == 0 or beta == 0):

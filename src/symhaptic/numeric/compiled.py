@@ -84,6 +84,10 @@ def of(kernel: Callable[..., Any]) -> Callable[..., Any]:
     return cast(Callable[..., Any], getattr(MODULE, name, kernel))
 
 
+WORDS = ("sheet", "tolerance", "threshold", "certified", "digits")
+"""Arguments of public functions that are no arrays."""
+
+
 def at_once(
     name: str,
     into: Callable[..., Any] | None = None,
@@ -104,7 +108,7 @@ def at_once(
             return function
         outside: Callable[[], bool] = MODULE.outside
         one: Callable[..., Any] = getattr(MODULE, f"one_{name}") if work is None else _nothing
-        names = [n for n in signature(function).parameters if n != "sheet"]
+        names = [n for n in signature(function).parameters if n not in WORDS]
         rows = partial(_in_one_piece, ufunc) if ufunc.nout > 1 else ufunc
         kernel = rows if work is None else partial(work, ufunc)
 

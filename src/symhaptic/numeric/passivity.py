@@ -17,11 +17,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.kernels import haptic
 from symhaptic.numeric import arguments, slopes
+from symhaptic.numeric import certified as by_balls
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.extremum import Extremum
-from symhaptic.numeric.given import Given
+from symhaptic.numeric.given import Given, to_numpy
 
 SHEETS = ("exact", "principal")
 
@@ -120,21 +121,68 @@ def passivity_margin_at(
     return given.each(margin)  # type: ignore[no-any-return]
 
 
+_NEAR = 2.0**-46
+"""Margins up to this share of the largest sum of terms are compared with 0 in balls: 128 units in
+the last place, of which the kernel needs 2 (`tests/numeric/test_certified.py`)."""
+
+
+def _plain(*values: Any) -> bool:
+    return all(type(v) is float or type(v) is int for v in values)
+
+
+def _room(size: Callable[[Any], Any], alpha: Any, beta: Any, delta: Any, delay: Any) -> Any:
+    return _NEAR * (size(alpha) * (delay + 1) + size(beta) + delta)
+
+
 @kept(is_passive=bool)
 def is_passive(
-    alpha: ArrayLike, beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    delta: ArrayLike,
+    delay: ArrayLike,
+    sheet: str = "exact",
+    *,
+    certified: bool = False,
 ) -> NDArray[np.bool_]:
     """Whether no motion can extract energy: the margin is not negative, and NaN is not passive.
 
     Walls on the boundary are passive, too; the strict sign of the paper's (4) excludes them.
     Arguments and errors as for :func:`passivity_margin`.
 
-    >>> is_passive([1.9, 2.1, -0.1], 0.0, 1.0, 0).tolist()
-    [True, False, False]
+    A margin that is within rounding of 0 is enclosed in balls of up to 1024 bits, in some
+    milliseconds a wall.  If these do not tell its sign, or it is traced, or of a fractional delay
+    with ``sheet="principal"``, the wall counts as not passive.  With ``certified=True`` every
+    margin is enclosed, and :class:`ArithmeticError` is raised where the sign is not known.
+
+    >>> is_passive([1.9, 2.0, 2.1, -0.1], 0.0, 1.0, 0).tolist()
+    [True, True, False, False]
     """
+    arguments.one_of("sheet", sheet, SHEETS)
+    if sheet == "exact" and not certified and _plain(alpha, beta, delta, delay):
+        margin = passivity_margin(alpha, beta, delta, delay)
+        if abs(margin) > _room(abs, alpha, beta, delta, delay):
+            return margin > 0
+    given = Given(alpha=alpha, beta=beta, delta=delta, delay=delay).in_double()
+    if certified:
+        by_balls.whole(sheet, given)
+    al, be, dl, dy = given.values
     if sheet == "exact":  # only without this argument the compiled kernel is called directly
-        return passivity_margin(alpha, beta, delta, delay) >= 0
-    return passivity_margin(alpha, beta, delta, delay, sheet) >= 0
+        margin = passivity_margin(al, be, dl, dy)
+    else:
+        margin = passivity_margin(al, be, dl, dy, sheet)
+    room = _room(given.xp.abs, al, be, dl, dy)
+    sure = margin > room
+    if given.traced and not certified:
+        return sure  # type: ignore[no-any-return]
+    known = to_numpy(margin)
+    near = np.abs(known) <= to_numpy(room)
+    if certified:
+        near = ~np.isnan(known)
+    elif sheet != "exact":
+        near &= np.floor(to_numpy(dy)) == to_numpy(dy)
+    if not near.any():
+        return sure  # type: ignore[no-any-return]
+    return by_balls.passive(given, near, to_numpy(sure), certified)  # type: ignore[no-any-return]
 
 
 def _printed(xp: Any, theta: Any, delay: Any) -> tuple[Any, Any]:
