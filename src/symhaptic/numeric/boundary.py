@@ -16,6 +16,7 @@ from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept
+from symhaptic.numeric.digits import in_digits
 from symhaptic.numeric.given import Given
 from symhaptic.numeric.plant import Device
 from symhaptic.numeric.stability import SHEETS
@@ -128,6 +129,8 @@ def stability_boundary(
     delta: ArrayLike,
     delay: ArrayLike,
     sheet: str = "exact",
+    *,
+    digits: int | None = None,
 ) -> tuple[Array, Array]:
     """The wall (alpha, beta) that puts a characteristic root at exp(j theta), 0 < theta < pi.
 
@@ -137,6 +140,8 @@ def stability_boundary(
     border of the stable region, see :func:`symhaptic.stable_region`.  Derived in chapter
     s4d_explicit_boundary; the paper finds these points by a grid.
 
+    With ``digits`` each result is a ball of python-flint (``flint.arb``), right to so many digits.
+
     Raises :class:`ValueError` for theta outside (0, pi) and an impossible plant or delay.  NaN
     gives NaN, and so does an angle at which no force reaches the device.
 
@@ -145,6 +150,10 @@ def stability_boundary(
     (-0.496790118283, 1.241897955708)
     """
     arguments.one_of("sheet", sheet, SHEETS)
+    if digits is not None:
+        return in_digits(  # type: ignore[no-any-return]
+            "stability_boundary", digits, sheet, theta=theta, gamma=gamma, delta=delta, delay=delay
+        )
     given = Given(theta=theta, gamma=gamma, delta=delta, delay=delay)
     found = given(haptic.stability_boundary) if sheet == "exact" else given.each(_principal)
     alpha, beta = (given.xp.where(given.xp.isfinite(found[0]), x, given.xp.nan) for x in found)

@@ -8,12 +8,15 @@ from symhaptic.kernels import haptic
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept
+from symhaptic.numeric.digits import in_digits
 from symhaptic.numeric.given import Given
 
 
 @at_once("linear_limit")
 @kept(alpha=float)
-def linear_limit(beta: ArrayLike, delta: ArrayLike, delay: ArrayLike) -> Array:
+def linear_limit(
+    beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, *, digits: int | None = None
+) -> Array:
     """alpha = (beta + delta)/(delay + 1/2), the stiffness at which (25) is an equality.
 
     The limit is damping over delay; the hold adds half a period to the delay.  Arrays broadcast.
@@ -28,11 +31,15 @@ def linear_limit(beta: ArrayLike, delta: ArrayLike, delay: ArrayLike) -> Array:
 
     and unstable above it; without damping all of it is unstable (chapters s4e_line_*).
 
+    With ``digits`` each result is a ball of python-flint (``flint.arb``), right to so many digits.
+
     Raises :class:`ValueError` for an infinite ``beta`` and for a negative or infinite ``delta``
     or ``delay``; NaN gives NaN.
 
     >>> float(linear_limit(0.0, 0.02, 1.5))
     0.01
     """
+    if digits is not None:
+        return in_digits("linear_limit", digits, beta=beta, delta=delta, delay=delay)  # type: ignore[no-any-return]
     given = Given(beta=beta, delta=delta, delay=delay)
     return given(haptic.linear_limit)  # type: ignore[no-any-return]

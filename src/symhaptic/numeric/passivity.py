@@ -21,6 +21,7 @@ from symhaptic.numeric import certified as by_balls
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept
+from symhaptic.numeric.digits import in_digits
 from symhaptic.numeric.extremum import Extremum
 from symhaptic.numeric.given import Given, to_numpy
 
@@ -50,7 +51,13 @@ def _needed(xp: Any, alpha: Any, beta: Any, steps: Any, part: Any) -> Any:
 @kept(margin=float)
 @slopes.in_jax(("margin",), instead="lambdify('passivity_margin', modules='jax') has derivatives")
 def passivity_margin(
-    alpha: ArrayLike, beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    delta: ArrayLike,
+    delay: ArrayLike,
+    sheet: str = "exact",
+    *,
+    digits: int | None = None,
 ) -> Array:
     r"""Physical damping minus the damping that the wall requires at its worst angle.
 
@@ -61,6 +68,8 @@ def passivity_margin(
     damping of (5) of the paper; both agree for integer delays.  Derived in chapter
     s6d_fractional_passivity.
 
+    With ``digits`` each result is a ball of python-flint (``flint.arb``), right to so many digits.
+
     Raises :class:`ValueError` for an infinite wall, a negative or infinite ``delta`` or ``delay``;
     NaN gives NaN.
 
@@ -68,6 +77,10 @@ def passivity_margin(
     [0.5, -0.059017, -0.5]
     """
     arguments.one_of("sheet", sheet, SHEETS)
+    if digits is not None:
+        return in_digits(  # type: ignore[no-any-return]
+            "passivity_margin", digits, sheet, alpha=alpha, beta=beta, delta=delta, delay=delay
+        )
     given = Given(alpha=alpha, beta=beta, delta=delta, delay=delay)
 
     if sheet == "exact" and not given.traced:
@@ -89,6 +102,8 @@ def passivity_margin_at(
     delta: ArrayLike,
     delay: ArrayLike,
     sheet: str = "exact",
+    *,
+    digits: int | None = None,
 ) -> Array:
     r"""Physical damping minus the damping that the wall requires at the angle ``theta`` = omega T.
 
@@ -102,6 +117,8 @@ def passivity_margin_at(
     delay it is the margin of the worst motion at this angle, exact for the sampled loop; derived in
     chapter s6d_fractional_passivity.
 
+    With ``digits`` each result is a ball of python-flint (``flint.arb``), right to so many digits.
+
     Raises :class:`ValueError` for an angle outside (0, pi), an infinite wall, a negative or
     infinite ``delta`` or ``delay``; NaN gives NaN.
 
@@ -109,6 +126,17 @@ def passivity_margin_at(
     [0.770151, 0.138338, -0.248376]
     """
     arguments.one_of("sheet", sheet, SHEETS)
+    if digits is not None:
+        return in_digits(  # type: ignore[no-any-return]
+            "passivity_margin_at",
+            digits,
+            sheet,
+            theta=theta,
+            alpha=alpha,
+            beta=beta,
+            delta=delta,
+            delay=delay,
+        )
     given = Given(theta=theta, alpha=alpha, beta=beta, delta=delta, delay=delay)
     if sheet == "exact":
         return given(haptic.passivity_margin_at)  # type: ignore[no-any-return]
@@ -200,7 +228,12 @@ def _printed(xp: Any, theta: Any, delay: Any) -> tuple[Any, Any]:
 @kept(alpha=float, beta=float)
 @slopes.in_jax(("alpha", "beta"), ("delta",))
 def passivity_boundary(
-    omega: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
+    omega: ArrayLike,
+    delta: ArrayLike,
+    delay: ArrayLike,
+    sheet: str = "exact",
+    *,
+    digits: int | None = None,
 ) -> tuple[Array, Array]:
     """The wall (alpha, beta) on the passivity boundary with the worst angle ``omega`` = omega T.
 
@@ -215,6 +248,9 @@ def passivity_boundary(
     2/9 of a period the curve does not end before pi; the walls with worst angle pi lie between its
     limit there and (0, delta/(1 - delay)), on beta + alpha/2 = delta/(1 - delay).
 
+    With ``digits``, for integer delays, each result is a ball of python-flint (``flint.arb``),
+    right to so many digits.
+
     Raises :class:`ValueError` for an angle, damping or delay outside its range; NaN gives NaN.
 
     >>> alpha, beta = passivity_boundary([0.5, 1.0], 1.0, 1)
@@ -222,6 +258,8 @@ def passivity_boundary(
     ([0.817217, 0.811125], [0.232804, 0.375311])
     """
     arguments.one_of("sheet", sheet, SHEETS)
+    if digits is not None:
+        return in_digits("passivity_boundary", digits, sheet, omega=omega, delta=delta, delay=delay)  # type: ignore[no-any-return]
 
     def walls(xp: Any, theta: Any, damping: Any, late: Any) -> tuple[Any, Any]:
         unit = haptic.elementwise(xp, partial(_printed, xp), theta, late)
@@ -239,12 +277,17 @@ def passivity_boundary(
     ("delta",),
     instead="lambdify('max_passive_stiffness', modules='jax') has derivatives",
 )
-def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exact") -> Extremum:
+def max_passive_stiffness(
+    delta: ArrayLike, delay: ArrayLike, sheet: str = "exact", *, digits: int | None = None
+) -> Extremum:
     r"""The passive wall of largest stiffness, and its worst angle.
 
     For integer delays and with ``sheet="principal"`` this is the stable form of (11) of the paper,
     alpha = 2 delta tan(pi/(4 (delay + 1))); arrays broadcast.  Without delay all angles
     are equally bad for this wall, and theta is pi/2.
+
+    With ``digits``, for integer delays, each result is a ball of python-flint (``flint.arb``),
+    right to so many digits.
 
     Raises :class:`ValueError` for a negative or infinite damping or delay; NaN gives NaN.
 
@@ -253,6 +296,10 @@ def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exac
     ([2.0, 1.175869, 0.828427], [0.0, 0.323979, 0.292893])
     """
     arguments.one_of("sheet", sheet, SHEETS)
+    if digits is not None:
+        return Extremum(
+            *in_digits("max_passive_stiffness", digits, sheet, delta=delta, delay=delay)
+        )
 
     def stiffest(xp: Any, damping: Any, late: Any) -> tuple[Any, Any, Any]:
         if sheet == "principal":

@@ -16,6 +16,7 @@ from symhaptic.kernels import haptic
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.compiled import MODULE, at_once
 from symhaptic.numeric.containers import kept
+from symhaptic.numeric.digits import in_digits
 from symhaptic.numeric.given import Given
 
 
@@ -181,7 +182,9 @@ def stuck(gamma: Array, delta: Array) -> NDArray[np.bool_]:
 
 @at_once("discretize")
 @kept(n1=float, n0=float, a=float, e=float)
-def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array, Array]:
+def discretize(
+    gamma: ArrayLike, delta: ArrayLike, *, digits: int | None = None
+) -> tuple[Array, Array, Array, Array]:
     """Exact discrete equivalent of the device behind a zero-order hold: n1, n0, a, e.
 
     P(z) = (n1 z + n0)/(z^2 - a z + e) in units of T^2/m, for the physical stiffness
@@ -193,11 +196,15 @@ def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array,
     error is at most 2 of its last places plus ``delta`` times those of n1 + n0.  Changing ``gamma``
     by one last place moves both by far more.
 
+    With ``digits`` each result is a ball of python-flint (``flint.arb``), right to so many digits.
+
     Raises :class:`ValueError` for a negative or infinite argument; NaN gives NaN.
 
     >>> [float(x) for x in discretize(0, 0)]
     [0.5, 0.5, 2.0, 1.0]
     """
+    if digits is not None:
+        return in_digits("discretize", digits, gamma=gamma, delta=delta)  # type: ignore[no-any-return]
     n1, n0, a, e = Given(gamma=gamma, delta=delta)(haptic.discretize)
     return n1, n0, a, e
 
@@ -205,7 +212,7 @@ def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array,
 @at_once("discretize_fractional")
 @kept(m2=float, m1=float, m0=float, a=float, e=float)
 def discretize_fractional(
-    gamma: ArrayLike, delta: ArrayLike, epsilon: ArrayLike
+    gamma: ArrayLike, delta: ArrayLike, epsilon: ArrayLike, *, digits: int | None = None
 ) -> tuple[Array, Array, Array, Array, Array]:
     """Exact discrete equivalent of the device with a fractional delay: m2, m1, m0, a, e.
 
@@ -213,12 +220,16 @@ def discretize_fractional(
     periods, 0 <= epsilon < 1, by the modified z-transform: the previous value of the hold acts for
     a part of each period.  Arrays broadcast.  Derived in chapter s6a_fractional_plant.
 
+    With ``digits`` each result is a ball of python-flint (``flint.arb``), right to so many digits.
+
     Raises :class:`ValueError` for a negative or infinite ``gamma`` or ``delta``, and for
     ``epsilon`` outside [0, 1); NaN gives NaN.
 
     >>> [float(x) for x in discretize_fractional(0, 0, 0.5)]
     [0.125, 0.75, 0.125, 2.0, 1.0]
     """
+    if digits is not None:
+        return in_digits("discretize_fractional", digits, gamma=gamma, delta=delta, epsilon=epsilon)  # type: ignore[no-any-return]
     given = Given(gamma=gamma, delta=delta, epsilon=epsilon)
     m2, m1, m0, a, e = given(haptic.discretize_fractional)
     return m2, m1, m0, a, e
