@@ -12,7 +12,7 @@ from hashlib import sha256
 from itertools import chain
 from pathlib import Path
 
-from symhaptic.export import request
+from symhaptic.export import plain, request
 from symhaptic.export.language import Target, describe
 from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.export.routine import Library, Routine, code_name
@@ -34,6 +34,15 @@ _BY_HAND = "ufuncs.cpp", "filter.cpp", "filter.h"
 _INSIDE = ("LateDevice",)
 """Routines of the library that are ufuncs, too, for callers that have checked the ranges."""
 
+_OF_NUMBERS = (
+    "discretize",
+    "is_stable",
+    "unstable_roots",
+    "stability_boundary",
+    "passivity_margin",
+)
+"""Functions that are called one by one in loops; plain Python is then faster than arrays of one."""
+
 _ABOUT = '''"""How large is it, bare?  The stable forms as functions of arrays of any library.
 
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
@@ -41,6 +50,9 @@ Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``nu
 
 STAMP = "%s"
 """Of the sources in C, as the module that is compiled of them has it."""
+
+OF_NUMBERS = %s
+"""The functions that `scalar` has, too."""
 '''
 
 _BOTH = """#include <math.h>
@@ -98,9 +110,11 @@ def forms() -> list[Form]:
 
 
 def files() -> dict[str, str]:
-    """The files of the folder, by name: for arrays of all libraries, and in C for NumPy's."""
+    """The files of the folder, by name: for arrays of all libraries, for numbers, and in C."""
     every = forms()
     _, made = request.built(TARGETS["numpy"], every, vectors=False)
+    some = [form for form in every if form.name in _OF_NUMBERS]
+    made |= request.built(plain.TARGET, some, "scalar", vectors=False)[1]
     sources, heads = [], []
     for precision, name in ((DOUBLE, "haptic"), (SINGLE, "haptic_single")):
         language = TARGETS["c"].at(precision)
@@ -114,7 +128,8 @@ def files() -> dict[str, str]:
     parts = [*in_c.values(), *by_hand, _table(library, heads, "")]
     stamp = sha256("".join(parts).encode()).hexdigest()[:16]
     in_c |= {"table.h": _table(library, heads, stamp), "_compiled.pyi": _typed(library)}
-    made |= {"__init__.py": _ABOUT % stamp} | in_c
+    names = ", ".join(f'"{name}"' for name in _OF_NUMBERS)
+    made |= {"__init__.py": _ABOUT % (stamp, f"({names})")} | in_c
     return {
         name: (_REMARK if name.endswith((".c", ".h")) else _HEADER) + text
         for name, text in made.items()

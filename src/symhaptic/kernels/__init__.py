@@ -6,3 +6,6 @@ Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``nu
 
 STAMP = "166d36175612d174"
 """Of the sources in C, as the module that is compiled of them has it."""
+
+OF_NUMBERS = ("discretize", "is_stable", "unstable_roots", "stability_boundary", "passivity_margin")
+"""The functions that `scalar` has, too."""
