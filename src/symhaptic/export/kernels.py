@@ -75,6 +75,52 @@ _BOTH = """#include <math.h>
 
 """
 
+_KEPT = """#ifdef _MSC_VER
+#define EACH_THREAD __declspec(thread)
+#else
+#define EACH_THREAD __thread
+#endif
+
+/* What is made of the device alone: that of the call before is kept, as most arrays have one
+ * device. -0.0 is 0.0 here, as it is for the comparison. */
+#define KEEP(Kind, name) \\
+    static inline Kind name(REAL gamma, REAL delta) { \\
+        static EACH_THREAD REAL last[2] = {NAN, NAN}; \\
+        static EACH_THREAD Kind kept; \\
+        if (last[0] == gamma && last[1] == delta) return kept; \\
+        last[0] = gamma + R(0.0); last[1] = delta + R(0.0); \\
+        return kept = name##_anew(last[0], last[1]); \\
+    }
+#define KEEP_PART(Kind, name) \\
+    static inline Kind name(REAL gamma, REAL delta, REAL part) { \\
+        static EACH_THREAD REAL last[3] = {NAN, NAN, NAN}; \\
+        static EACH_THREAD Kind kept; \\
+        if (last[0] == gamma && last[1] == delta && last[2] == part) return kept; \\
+        last[0] = gamma + R(0.0); last[1] = delta + R(0.0); last[2] = part + R(0.0); \\
+        return kept = name##_anew(last[0], last[1], last[2]); \\
+    }
+
+"""
+
+_DEVICE = re.compile(
+    r"^static inline (Device\d*|Delayed) (\w+)"
+    r"(\(REAL gamma,\s+REAL delta(, REAL part)?\) \{\n.*?^\}\n)",
+    re.M | re.S,
+)
+"""A function of the device alone."""
+
+
+def keeping(source: str) -> str:
+    """Sources in C whose functions of the device alone keep the last one."""
+
+    def kept(found: re.Match[str]) -> str:
+        kind, name, rest, part = found.groups()
+        again = f"KEEP{'_PART' if part else ''}({kind}, {name})"
+        return f"static inline {kind} {name}_anew{rest}{again}\n"
+
+    return _DEVICE.sub(kept, source)
+
+
 _SINGLE = """#define SINGLE
 #include "haptic.c"
 """
@@ -123,7 +169,7 @@ def files() -> dict[str, str]:
         sources.append("\n".join([files[f"{name}.c"], *map("\n".join, whole)]))
         heads += re.findall(r"^\w+ \w+\([^)]*\);$", files[f"{name}.h"], re.M)
         heads += [f"{head.removesuffix(' {')};" for head, *_ in whole]
-    in_c = {"haptic.c": _BOTH + both(*sources), "haptic_single.c": _SINGLE}
+    in_c = {"haptic.c": _BOTH + _KEPT + keeping(both(*sources)), "haptic_single.c": _SINGLE}
     by_hand = [(FOLDER / name).read_text(encoding="utf-8") for name in _BY_HAND]
     parts = [*in_c.values(), *by_hand, _table(library, heads, "")]
     stamp = sha256("".join(parts).encode()).hexdigest()[:16]

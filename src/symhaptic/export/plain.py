@@ -47,7 +47,7 @@ class Plain(Target):
     def source(self, library: Library) -> dict[str, str]:
         """NAME.py."""
         table = self.table(library)
-        lines = [_HEAD, "# 1/n!", f"inverse_factorial = ({table},)"]
+        lines = ["# 1/n!", f"inverse_factorial = ({table},)"]
         for helper in library.helpers:
             kept = {s.name for s in helper.arguments} in _DEVICES
             lines += ["", *["@lru_cache(256)"] * kept, *self._written(helper, guarded(helper))]
@@ -56,7 +56,7 @@ class Plain(Target):
             assert isinstance(inside, Choice)
             outside = f"if {self.printing().doprint(inside.condition)}:"
             lines += ["", *self._written(routine, inside.no, [f"  {outside}", "    return None"])]
-        return {f"{library.name}.py": "\n".join([*wrapped(lines, " \\"), ""])}
+        return {f"{library.name}.py": "\n".join([_HEAD, *wrapped(lines, " \\"), ""])}
 
     def _written(self, routine: Routine, block: Block, first: Sequence[str] = ()) -> list[str]:
         args = ", ".join(self.rename(s.name) for s in routine.arguments)
@@ -77,7 +77,6 @@ _HEAD = '''"""How large is it, of one?  The stable forms as functions of floats,
 
 from functools import lru_cache
 from math import atan2, cos, exp, expm1, floor, inf, nan, sin, sqrt, tan
-
 '''
 
 TARGET = Plain()

@@ -4,7 +4,7 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "166d36175612d174"
+STAMP = "aade294401eb3671"
 """Of the sources in C, as the module that is compiled of them has it."""
 
 OF_NUMBERS = ("discretize", "is_stable", "unstable_roots", "stability_boundary", "passivity_margin")

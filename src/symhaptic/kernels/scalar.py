@@ -1,6 +1,5 @@
 # Written by `symhaptic kernels` from the stable forms; do not edit.
-"""How large is it, of one?  The stable forms as functions of floats, \
-    without NumPy."""
+"""How large is it, of one?  The stable forms as functions of floats, without NumPy."""
 
 from functools import lru_cache
 from math import atan2, cos, exp, expm1, floor, inf, nan, sin, sqrt, tan

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#define STAMP "166d36175612d174"
+#define STAMP "aade294401eb3671"
 
 extern "C" {
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
