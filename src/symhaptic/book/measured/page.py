@@ -20,7 +20,7 @@ def renewed(page: str, record: dict[str, Any]) -> str:
     before, _, rest = page.partition(BEGIN)
     _, _, after = rest.partition(END)
     tables = calls(record["functions"]), judges(record["stability"])
-    shown = "\n".join(in_markdown(table) for table in tables)
+    shown = "\n".join(in_markdown(table, "###") for table in tables)
     return f"{before}{BEGIN}\n{shown}\n\n{about(record)} {record['method']}\n\n{END}{after}"
 
 

@@ -117,6 +117,8 @@ def calls(rows: list[Row]) -> Table:
 
 
 def _keeps(row: Row, most: float) -> bool:
+    if row["precision"].endswith("digits") and row["last"] > 10 * most:
+        return False  # what is asked for counts, not what it happens to be
     return row["missing"] == 0 and row["worst"] is not None and row["worst"] * row["last"] <= most
 
 
