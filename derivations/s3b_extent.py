@@ -1,8 +1,8 @@
 r"""Which frequencies bound the passive walls?
 
-The envelope is drawn by frequencies up to Nyquist, but a region is bounded only by the lines
-that no other line cuts off. We show, for every real $d\ge0$ and $K\ge0$, that frequencies above
-$\pi/(T(d+1))$ cut off nothing.
+The envelope is drawn by frequencies up to Nyquist, but only some of the lines bound the region. We
+show, for every real $d\ge0$ and $K\ge0$, that the conditions at frequencies above $\pi/(T(d+1))$
+are redundant.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -12,8 +12,8 @@ from symhaptic.model import passivity
 
 def derive(page):
     page.say(
-        "Let $\\psi=\\theta/2$, $N=2(d+1)\\ge2$ and measure the wall by $u=KT/(2b)\\ge0$ and "
-        "$w=(B+KT/2)/b$. The condition becomes shorter:"
+        r"Let $\psi=\theta/2$, $N=2(d+1)\ge2$ and write the wall with $u=KT/(2b)\ge0$ and "
+        "$w=(B+KT/2)/b$. The condition is then linear in $u$ and $w$:"
     )
     wall = {K: 2 * b * u / T, B: b * (w - u), d: N / 2 - 1, theta: 2 * psi}
     margin = page.step(
@@ -23,7 +23,7 @@ def derive(page):
         name=r"1-b_{\min}/b",
     )
     page.step(
-        "At $N\\psi=\\pi$ only the damping counts",
+        r"At $N\psi=\pi$ the condition depends on $w$ only",
         margin.subs(psi, pi / N),
         1 - w,
         name=r"1-b_{\min}/b",
@@ -39,20 +39,20 @@ def derive(page):
         because="so $w\\ge Nu-1\\ge-1$",
     )
     page.step(
-        "Between angles that differ by a full turn of $N\\psi$ only a cotangent changes",
+        r"Angles with $N\psi$ differing by $2\pi$ differ only in a cotangent",
         cot(psi) - cot(phi),
         sin(phi - psi) / (sin(psi) * sin(phi)),
         because="positive for $\\psi<\\varphi<\\pi/2$: the cotangent falls",
     )
     page.say(
-        "Beyond $N\\psi=\\pi$: where $\\sin N\\psi\\ge0$, the angle a full turn lower has the same "
-        "sine and cosine but a larger cotangent, and is stricter since $u\\ge0$. Where "
-        "$\\sin N\\psi<0$, the margin is at least $1-|w|\\ge0$ by the two ends. Nothing new is cut "
-        "off: only $0<N\\psi\\le\\pi$ counts, that is $0<\\omega T\\le\\pi/(d+1)$."
+        r"Beyond $N\psi=\pi$: where $\sin N\psi\ge0$, the angle with $N\psi$ smaller by $2\pi$ "
+        r"has the same sine and cosine but a larger cotangent, and is stricter since $u\ge0$. "
+        r"Where $\sin N\psi<0$, the margin is at least $1-|w|\ge0$ by the two limits above. So "
+        r"only $0<N\psi\le\pi$ matters, that is $0<\omega T\le\pi/(d+1)$."
     )
     page.lemma(
-        "A margin on the first half turn is one at every angle",
+        r"A margin for $0<N\psi\le\pi$ implies a margin at every angle",
         at_every_angle(),
-        because="of $N\\psi$ full turns are taken away, as often as they go into it",
+        because=r"multiples of $2\pi$ are subtracted from $N\psi$",
         boxed=True,
     )

@@ -1,7 +1,7 @@
-r"""What remains when a part of the loop is not there?
+"""What is the polynomial of a loop with fewer parts?
 
-A loop without spring, damper, virtual damping or delay has a smaller polynomial of its own. It
-is derived without the missing part, and shown to be what the larger one tends to.
+A loop without spring, damper, virtual damping or delay has a smaller polynomial. It is derived
+without the missing part and shown to be the limit of the larger one.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -12,7 +12,7 @@ from symhaptic.model.parts import ALL
 def derive(page):
     page.say(
         "The free mass moves by half a unit per unit force and period; with a damper its speed "
-        "decays; with a spring it swings, $\\Omega=\\sqrt\\gamma$."
+        r"decays; with a spring it oscillates, $\Omega=\sqrt\gamma$."
     )
     free, damped = (
         plant.sampled(plant.normalised(parts))
@@ -21,20 +21,20 @@ def derive(page):
     swinging = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
     swings = swinging.transfer.subs(gamma, Omega**2)
     still = page.step(
-        "A free mass has four plain numbers",
+        "The four coefficients of a free mass",
         free.transfer,
         (z + 1) / (2 * (z - 1) ** 2),
         name=r"P(z)\big|_{\gamma=\delta=0}",
     )
     fade = exp(-delta)
     fading = page.step(
-        "A damped mass has one exponential",
+        "The coefficients of a damped mass contain one exponential",
         damped.transfer,
         ((delta - 1 + fade) * z + 1 - (1 + delta) * fade) / (delta**2 * (z - 1) * (z - fade)),
         name=r"P(z)\big|_{\gamma=0}",
     )
     swinging = page.step(
-        "A mass on a spring has one cosine",
+        "The coefficients of a mass on a spring contain one cosine",
         swings,
         (1 - cos(Omega)) * (z + 1) / (Omega**2 * (z**2 - 2 * cos(Omega) * z + 1)),
         name=r"P(z)\big|_{\delta=0}",

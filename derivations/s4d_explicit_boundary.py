@@ -1,8 +1,8 @@
 r"""Is there an explicit stability boundary with delay and stiffness?
 
-The paper draws the boundary of the stable region by a grid, since the inequalities of the usual
+The paper computes the boundary of the stable region on a grid, since the inequalities of the usual
 criteria grow with the delay. But the characteristic polynomial is affine in $\alpha$ and $\beta$,
-and that is enough: on the unit circle one complex equation fixes both.
+so that one complex equation on the unit circle gives both.
 """
 
 from symhaptic.book.figures.arguments import crossing
@@ -22,7 +22,7 @@ def derive(page):
     )
     q = boundary.needed(plant.Sampled(n_1, n_0, a, e))
     page.step(
-        "A root on the circle needs one wall",
+        "A root on the circle determines one wall",
         polynomial / (z * top),
         alpha + beta * (1 - 1 / z) - q,
         name=r"\frac{p_1(z)}{zN(z)}",
@@ -41,7 +41,7 @@ def derive(page):
     )
     page.figure(
         "crossing",
-        "Stiffer and stiffer walls ($d=1$, $\\gamma=0.05$, $\\delta=0.4$), and their roots.",
+        r"Walls of increasing stiffness ($d=1$, $\gamma=0.05$, $\delta=0.4$), and their roots.",
         crossing,
         panels=(1, 2),
         height=0.45,
@@ -51,20 +51,20 @@ def derive(page):
         "roots crosses the circle. The other pieces are the lines of a root at 1 and at $-1$:"
     )
     page.step(
-        "A root at 1 leaves on the line $\\alpha=-\\gamma$",
+        r"A root at 1 means $\alpha=-\gamma$",
         polynomial.subs(z, 1),
         1 - a + e + (n_1 + n_0) * alpha,
         name="p_1(1)",
         because="zero for $\\alpha=-\\gamma$, as $1-a+e=\\gamma(n_1+n_0)$",
     )
     page.step(
-        "A root at $-1$ leaves on another line, here for even delays",
+        "A root at $-1$ means another line, here for even delays",
         polynomial.subs(d, 0).subs(z, -1),
         (n_1 - n_0) * (alpha + 2 * beta) - (1 + a + e),
         name="p_1(-1)",
         because="for odd delays the last bracket changes its sign",
     )
-    page.say("For a free mass, $\\gamma=\\delta=0$, the boundary is as short as one could wish:")
+    page.say(r"For a free mass, $\gamma=\delta=0$, the boundary is short:")
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     numbers = {a: free.a, e: free.e, n_1: free.n1, n_0: free.n0}
     short_stiffness = page.step(
@@ -82,7 +82,7 @@ def derive(page):
         boxed=True,
     )
     page.limit(
-        "At the origin damping over stiffness is the delay and a half",
+        r"At the origin $\beta/\alpha=d+\frac12$",
         short_damping / short_stiffness,
         theta,
         S.Zero,
@@ -98,14 +98,15 @@ def _settled(page):
         "as Q", boundary.wall(plant.Sampled(n_1, n_0, a, e)), [p.right for p in on_boundary().parts]
     )
     exact = page.lemma(
-        "A zero at $e^{j\\theta}$ means this wall, and this wall a zero there",
+        r"The polynomial has a zero at $e^{j\theta}$ for this wall and for no other",
         zero_on_circle_is_explicit(),
         because="for the numbers of any device whose $N$ does not vanish there",
     )
     page.lemma(
         "For a damped device $N$ does not vanish on the circle",
         numerator_on_circle(),
-        because="a held force that turns by $z$ does work, so that it moves the device",
+        because="a held force that is multiplied by $z$ per period does work, so that it moves the "
+        "device",
     )
     arm = (gamma, delta, d)
     given = [gamma >= 0, delta >= 0, d >= 0]

@@ -1,7 +1,7 @@
-r"""What is the boundary of an arm without damping?
+"""What is the boundary of a device without damping?
 
-A mass with a spring swings for ever, and its boundary is as short as that of a free mass. It shows
-where the boundary goes when $n_1=n_0$ and the line of a root at $-1$ is gone.
+A mass with a spring and no damper has a boundary that is as short as that of a free mass. It shows
+where the boundary goes for $n_1=n_0$, when no wall has a root at $-1$.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -15,9 +15,9 @@ def derive(page):
     swinging = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
     arm = plant.Sampled(swinging.n1, swinging.n0, swinging.a, S.One)
     stiffness, damping = (side.xreplace({gamma: Omega**2}) for side in boundary.wall(arm))
-    page.define("The device swings by this angle in a period", gamma, Omega**2)
+    page.define("The natural frequency times the period is this angle", gamma, Omega**2)
     page.define(
-        "One function of the spring decides",
+        "One function of the stiffness",
         SPRING,
         gamma * (cos(Omega) - cos(theta)) / (1 - cos(Omega)),
     )
@@ -46,11 +46,11 @@ def begin(page, stiffness, damping):
     """The end at theta -> 0, in units of gamma, with x = cos Omega."""
     half = Rational(1, 2)
     page.say(
-        "It starts on the line $\\beta=\\alpha(d+\\frac12)$ of (25), but flatter; with "
-        "$x=\\cos\\Omega$:"
+        r"It starts on the line $\beta=\alpha(d+\frac12)$ of (25), with a smaller slope; with "
+        r"$x=\cos\Omega$:"
     )
     page.limit(
-        "The boundary starts from the stiffness $-\\gamma$",
+        r"The boundary starts at $\alpha=-\gamma$",
         stiffness,
         theta,
         S.Zero,
@@ -58,7 +58,7 @@ def begin(page, stiffness, damping):
         name=r"\alpha(\theta)/\gamma",
     )
     page.limit(
-        "The boundary starts from the damping $-(d+\\frac12)\\gamma$",
+        r"The boundary starts at $\beta=-(d+\frac12)\gamma$",
         damping,
         theta,
         S.Zero,
@@ -78,21 +78,21 @@ def begin(page, stiffness, damping):
     )
     page.limits((damping + d + half) / theta**2, theta, S.Zero, up)
     page.step(
-        "At its start the boundary is flatter than the line",
+        "The initial slope of the boundary is smaller than that of the line",
         up / right,
         d + half - (d + 1) * (2 * d + 1) * (2 * d + 3) / (12 * right),
         name=r"\frac{d\beta}{d\alpha}",
-        because="flatter for every spring and every delay; only for a free mass, $x\\to1$, it is "
-        "the line's",
+        because=r"smaller for every spring and every delay; only for a free mass, $x\to1$, both "
+        "slopes are equal",
     )
 
 
 def end(page):
-    """The end at theta -> pi, for whole delays."""
+    """The end at theta -> pi, for integer delays."""
     page.say(
-        "Towards the other end, for whole $d$, both grow without bound, as $n_1=n_0$ has no line "
-        "of a root at $-1$. As $\\sin(d+1)\\theta=(-1)^d\\sin(d+1)(\\pi-\\theta)$, their sum stays "
-        "close to a line:"
+        "Towards the other end, for integer $d$, both grow without bound, since for $n_1=n_0$ no "
+        r"wall has a root at $-1$. As $\sin(d+1)\theta=(-1)^d\sin(d+1)(\pi-\theta)$, their sum "
+        "stays close to a line:"
     )
     per_gamma = (x - cos(theta)) / (1 - x)
     page.limit(
@@ -105,7 +105,7 @@ def end(page):
     )
     per_gamma = per_gamma.subs(x, -1)
     page.step(
-        "For odd half swings, $x=-1$, it stays finite",
+        r"For $x=-1$, $\Omega$ an odd multiple of $\pi$, it stays finite",
         per_gamma * cos(ANGLE) / cos(theta / 2) ** 2,
         -cos(ANGLE),
         name=r"\frac{\alpha}{\gamma}\Big|_{x=-1}",

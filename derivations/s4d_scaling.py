@@ -1,9 +1,9 @@
 r"""Does twice the sampling rate give four times the stiffness?
 
-The paper reads from Table I how the stable walls change with the period $T$ and the mass $m$, for
-a constant delay factor $d$. What happens to the operator's $b$ and $k$ meanwhile? If they change
-as well, the loop stays the same. If they are kept it does not, and a damped mass without spring
-and delay, $\gamma=0$ and $d=0$, shows by how much. More theorems are in \chapter{s4d_scaling_kept}.
+The paper reads from Table I how the stable walls change with the period $T$ and the mass $m$, for a
+constant delay factor $d$. If the operator's $b$ and $k$ change in proportion, the loop stays the
+same. If they are constant it does not, and a damped mass without spring and delay, $\gamma=0$ and
+$d=0$, shows by how much. More theorems are in \chapter{s4d_scaling_kept}.
 """
 
 from symhaptic.book.lemmas.near_tip import none_above
@@ -46,7 +46,7 @@ def derive(page):
         "twice its damping",
     )
     page.lemma(
-        "For $\\gamma=0$, $\\delta=\\frac1{100}$ all stable walls are softer than this",
+        r"For $\gamma=0$, $\delta=\frac1{100}$ all stable walls are less stiff than this",
         none_above((S.Zero, AFTER), 0)[1],
         because="so less than 3.93 times the stiffness is left: four times this bound is less than "
         "$3.93\\cdot0.713$. Twice the mass with the same damper is $\\delta=\\frac1{100}$ too",
@@ -56,12 +56,12 @@ def derive(page):
 def all_scaled(page):
     """The period or the mass changes, and all else with it: the loop stays stable or not."""
     page.lemma(
-        "Half the period changes nothing if all else is scaled with it",
+        "Stability does not change if all parameters are scaled with half the period",
         numbers_known(inst(with_the_rate(STIFFER, STRONGER), {y: S(2)})),
         because="for every delay in periods",
     )
     heavier = inst(with_the_mass(STIFFER, STRONGER), {HEAVY: 2 * m})
     page.lemma(
-        "Twice the mass changes nothing if all else is doubled",
+        "Stability does not change if the mass and all other parameters are doubled",
         closed(heavier, positive(2 * m > 0, [2, m > 0]), positive(Ne(m, 0), m > 0)),
     )

@@ -1,8 +1,7 @@
-r"""Does the same device bear four times the stiffness at twice the rate?
+"""Is four times the stiffness stable at twice the sampling rate?
 
-A loop in SI units is one in those of Table I, so that walls scale where $bT/m$ and $kT^2/m$ stay
-the same. With one damper and one spring they do not, unless there is neither. One wall each inside
-(23) shows that neither can be kept.
+By Table I, walls scale with the period and the mass if $bT/m$ and $kT^2/m$ stay the same. With a
+constant damper or spring they do not. One wall for each, inside (23), shows this.
 """
 
 from symhaptic.book.lemmas.passive_is_stable import LOOP
@@ -43,7 +42,7 @@ def stiffness(page):
     claim = CLAIMED["s4d-quadratic-in-period"](())
     symbols, given, _ = taken_apart(claim)
     kept = page.lemma(
-        "With $bT/m$ and $kT^2/m$ kept, half the period allows four times the stiffness",
+        "With constant $bT/m$ and $kT^2/m$, half the period allows four times the stiffness",
         at_twice_the_rate(),
     )
     loop = {T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero}
@@ -59,7 +58,7 @@ def stiffness(page):
         ],
         shows=r"$d=0$, $k=0$: at $\delta=\tfrac1{50}$ the wall $\alpha=0.713$ can be stable, at "
         r"$\tfrac1{100}$, for the same damper at half the period, it cannot",
-        note="exact, too, where $bT/m$ and $kT^2/m$ are kept; with this damper less than 3.93 "
+        note="also exact if $bT/m$ and $kT^2/m$ are constant; with this damper less than 3.93 "
         "times",
     )
 
@@ -69,7 +68,7 @@ def bound(page):
     claim = CLAIMED["s4d-damping-bound"](())
     symbols, given, _ = taken_apart(claim)
     kept = page.lemma(
-        "With $bT/m$ and $kT^2/m$ kept, $BT/m$ has the same bound for every period and mass",
+        "With constant $bT/m$ and $kT^2/m$, $BT/m$ has the same bound for every period and mass",
         for_another_mass_and_rate(),
     )
     loop = dict.fromkeys((b, k, d), S.Zero) | {T: S.One, m: S.One, HEAVY: S.One, SOON: S.Half}
@@ -85,7 +84,7 @@ def bound(page):
         ],
         shows=r"$d=0$, $k=0$: at $\delta=\tfrac1{50}$ the wall $\beta=2.02$ can be stable, at "
         r"$\tfrac1{100}$, for the same damper at half the period, it cannot",
-        note=r"exact, too, where $bT/m$ and $kT^2/m$ are kept; for small $b$ the bound without "
+        note="also exact if $bT/m$ and $kT^2/m$ are constant; for small $b$ the bound without "
         r"delay is $2m/T+\tfrac43b$",
     )
 

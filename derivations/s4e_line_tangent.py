@@ -1,7 +1,7 @@
 r"""For which arm is the line of the linear condition the tangent of the boundary?
 
 We look at the start of the boundary, $\theta\to0$, where $\alpha=-\gamma$: does it lie on the line
-of (25), and does the boundary leave along the line?
+of (25), and is the line tangent there?
 """
 
 from symhaptic.book.lemmas.linear_tangent import free_mass_only, tangent
@@ -14,7 +14,7 @@ def derive(page):
         "$\\Delta/\\theta^2$ tends to a number that is negative for every spring and damper."
     )
     page.lemma(
-        "The boundary starts on the line and along it for a free mass only", free_mass_only()
+        "The line is tangent to the boundary at its start for a free mass only", free_mass_only()
     )
     symbols, given, _ = taken_apart(tangent())
     page.state(

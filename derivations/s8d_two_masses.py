@@ -1,7 +1,7 @@
-r"""Is a wall stable whose stiffness is below two masses over the squared period?
+"""Is a wall stable whose stiffness is below two masses over the squared period?
 
-The rule knows the mass and the period, and neither damping nor delay. We hold it against the
-plainest device that it could be meant for, a free mass without delay.
+The rule depends on the mass and the period, and neither on damping nor on delay. We test it with
+the simplest device, a free mass without delay.
 """
 
 from symhaptic.book.lemmas.circulation import NOTHING, never_undamped, outside
@@ -19,7 +19,8 @@ def derive(page):
     found = page.lemma(
         "Without any damping no stiffness is stable, however small",
         never_undamped(),
-        because="the force of a spring is half a period late on average, and a late spring drives",
+        because="the hold delays the force of a spring by half a period on average, and a delayed "
+        "spring adds energy",
         boxed=True,
     )
     page.lemma("The wall $K=1$ of $m=T=1$ has a root outside the circle", outside(ROOTS))
@@ -32,5 +33,5 @@ def derive(page):
         misprint=False,
         example=example(WALL, given),
         unless=[counterexample(claim, WALL, outside(ROOTS))],
-        shows="a free mass with $m=T=1$: already $K=1$ swings up",
+        shows="a free mass with $m=T=1$: $K=1$ is already unstable",
     )

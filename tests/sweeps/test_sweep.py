@@ -318,10 +318,7 @@ def test_quantities_are_public_and_name_their_statement(name):
 
     known = QUANTITIES[name]
     assert symhaptic._HOME[name] == f"symhaptic.{known.home}"
-    rows = {
-        n: [0.1, 0.2] if n in ("theta", "omega") else 0.01
-        for n in sweep_arguments(name)
-    }  # fmt: skip
+    rows = {n: [0.1, 0.2] if n == "theta" else 0.01 for n in sweep_arguments(name)}
     found = sweep(name, **rows)
     assert len(found.data_vars) == len(known.results)
     assert ledger_has(known.statement, STATEMENTS)

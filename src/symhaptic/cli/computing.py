@@ -28,6 +28,7 @@ class TraceFormat(StrEnum):
     json = "json"
     png = "png"
     svg = "svg"
+    pdf = "pdf"
 
 
 @app.command()
@@ -84,7 +85,7 @@ def trace(
     from symhaptic.numeric.tracing.region import stable_region
 
     format = format_of(output, format)
-    drawn = format in (TraceFormat.png, TraceFormat.svg)
+    drawn = format in (TraceFormat.png, TraceFormat.svg, TraceFormat.pdf)
     if drawn and output is None:
         refuse(f"--format {format}: needs -o FILE; csv and json can be printed")
     if drawn:

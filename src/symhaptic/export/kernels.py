@@ -29,7 +29,7 @@ _REMARK = "/* Written by `symhaptic kernels` from the stable forms; do not edit.
 
 _WRITTEN = ("*.py", "*.pyi", "*.c", "table.h")
 
-_BY_HAND = "ufuncs.cpp", "filter.cpp", "filter.h"
+_BY_HAND = [FOLDER / name for name in ("ufuncs.cpp", "filter.cpp", "filter.h")]
 
 _INSIDE = ("LateDevice",)
 """Routines of the library that are ufuncs, too, for callers that have checked the ranges."""
@@ -43,9 +43,13 @@ _OF_NUMBERS = (
 )
 """Functions that are called one by one in loops; plain Python is then faster than arrays of one."""
 
-_ABOUT = '''"""How large is it, bare?  The stable forms as functions of arrays of any library.
+_ABOUT = '''"""How does a call compute?  The stable forms as generated code, which imports nothing.
 
-Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
+`haptic.c` has the functions in C; `ufuncs.cpp`, written by hand, calls them in a loop over arrays,
+and `table.h` lists them for it.  `filter.cpp` judges most walls before.  ``haptic`` has the same
+functions for arrays of any library, ``scalar`` some for floats.  `symhaptic kernels` writes all
+but `ufuncs.cpp` and `filter.*` from the routines of `export/routines`.  Imports nothing; used by
+``numeric``.
 """
 
 STAMP = "%s"
@@ -170,7 +174,7 @@ def files() -> dict[str, str]:
         heads += re.findall(r"^\w+ \w+\([^)]*\);$", files[f"{name}.h"], re.M)
         heads += [f"{head.removesuffix(' {')};" for head, *_ in whole]
     in_c = {"haptic.c": _BOTH + _KEPT + keeping(both(*sources)), "haptic_single.c": _SINGLE}
-    by_hand = [(FOLDER / name).read_text(encoding="utf-8") for name in _BY_HAND]
+    by_hand = [path.read_text(encoding="utf-8") for path in _BY_HAND]
     parts = [*in_c.values(), *by_hand, _table(library, heads, "")]
     stamp = sha256("".join(parts).encode()).hexdigest()[:16]
     in_c |= {"table.h": _table(library, heads, stamp), "_compiled.pyi": _typed(library)}

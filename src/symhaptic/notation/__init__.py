@@ -2,8 +2,16 @@
 
 The symbols are plain SymPy symbols without assumptions, so that a formula typed with
 ``sympy.symbols("K B T")`` is the same formula; domains are data, used when a counterexample is
-looked for.  Here also are terms and their order, LaTeX in and out, quantities with units, and the
-language of propositions.  Imports no other room; used by all of them.
+looked for.
+
+* ``latex``, ``term_order``, ``written``: formulas and propositions as LaTeX
+* ``units``, ``quantities``: units that a user writes, and numbers with units
+* ``proposition``, ``predicates``, ``terms``: the language of claims and theorems
+* ``exact``, ``fresh``, ``sizes``: rational numbers, new symbols, the largest floats that are
+  allowed
+* ``extras``, ``suggest``: optional dependencies, names that were meant
+
+Imports no other room; used by all of them.
 """
 
 from __future__ import annotations
@@ -93,8 +101,8 @@ _TABLE = [
     ("v", "v", "m/s", "real", "velocity"),
     ("F", "F", "N", "real", "force of the virtual wall"),
     ("F_E", "F_E", "N", "real", "external force"),
-    ("X", "X", "m/N", "complex", "answer of the device: a held force z^k moves it to X z^k"),
-    ("X_d", "X_d", "m/N", "complex", "its answer to a force that comes d periods late"),
+    ("X", "X", "m/N", "complex", "response of the device: a held force z^k moves it to X z^k"),
+    ("X_d", "X_d", "m/N", "complex", "its response to a force that is delayed by d periods"),
     # parts beyond the paper's loop
     ("f_v", "f_v", "1", "[0, 1]", "pole of the filter of the velocity"),
     ("tau_f", r"\tau_f", "s", "nonnegative", "time constant of the filter of the velocity"),
@@ -127,11 +135,11 @@ _TABLE = [
     # of our own
     ("p_k", "p_k", "m", "real", "displacement during period k"),
     ("q_k", "q_k", "m", "real", "how far a sample within period k lies off the straight line"),
-    ("l", r"\ell", "1", "nonnegative", "whole periods in a delay"),
+    ("l", r"\ell", "1", "nonnegative", "integer part of a delay, in periods"),
     ("epsilon", r"\varepsilon", "1", "[0, 1]", "rest of a delay, a fraction of a period"),
-    ("m_2", "m_2", "1", "real", "first sample of the response to a late force"),
-    ("m_1", "m_1", "1", "real", "second coefficient of the numerator behind a late force"),
-    ("m_0", "m_0", "1", "real", "third coefficient of the numerator behind a late force"),
+    ("m_2", "m_2", "1", "real", "first sample of the response to a force with a fractional delay"),
+    ("m_1", "m_1", "1", "real", "second coefficient of the numerator with a fractional delay"),
+    ("m_0", "m_0", "1", "real", "third coefficient of the numerator with a fractional delay"),
     ("d_1", "d_1", "1", "nonnegative", "delay between wall and device"),
     ("d_2", "d_2", "1", "nonnegative", "delay between device and wall"),
     ("N", "N", "1", "positive", "twice the periods of a delay and one more, 2(d+1)"),
@@ -143,7 +151,7 @@ _TABLE = [
     ("rho", r"\rho", "1", "positive", "largest stable alpha of a free mass, over 4"),
     ("h", "h", "1", "positive", "1/(d+1), or a small scale"),
     ("w", "w", "1", "real", "wall by damping of the device, (B + K T/2)/b"),
-    ("r", "r", "1", "positive", "damping that a wall needs at one angle, at its worst phase"),
+    ("r", "r", "1", "positive", "required damping of a wall at one angle, at its worst phase"),
     ("kappa", r"\kappa", "1", "(0, pi/2)", "phase of a wall at one angle"),
     ("chi", r"\chi", "1", "real", "phase of wall and delay at one angle"),
     ("u", "u", "1", "nonnegative", "stiffness of a wall by damping of the device, K T/(2 b)"),

@@ -37,7 +37,7 @@ CLAIMS_COMPARED = (
         "s5a-much-smaller",
         "Sec. V-A",
         "stable walls can be many times as stiff and as damped as passive ones, for the arm and "
-        "the whole delays of Fig. 11",
+        "the integer delays of Fig. 11",
         quote="The dimensions of the passive regions are much smaller than those of the stable "
         "ones.",
     ),
@@ -50,15 +50,15 @@ CLAIMS_COMPARED = (
     Statement(
         "s6-damping-any-delay",
         "Sec. VI",
-        "some factor bounds what the damper adds to the largest stable stiffness, for every arm of "
-        "(23) and every whole delay",
+        "some factor bounds what the damper adds to the largest stable stiffness, for every arm "
+        "of (23) and every integer delay",
         quote="an increase of damping is only marginally contributing to stability",
     ),
     Statement(
         "s6-stiffness-any-delay",
         "Sec. VI",
-        "some factor bounds what the spring changes of the largest stable stiffness, for every arm "
-        "of (23) and every whole delay",
+        "some factor bounds what the spring changes of the largest stable stiffness, for every "
+        "arm of (23) and every integer delay",
         quote="the effect of physical stiffness within the possible range is hardly affecting "
         "stability",
     ),

@@ -1,4 +1,4 @@
-"""The numbered equations (1) to (31), transcribed as printed."""
+"""The numbered equations (1) to (31), transcribed as published."""
 
 from __future__ import annotations
 

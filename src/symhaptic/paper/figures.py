@@ -5,7 +5,7 @@ from __future__ import annotations
 from symhaptic.paper.statement import Statement
 
 DELAYS = ("0", "0.25", "0.5", "1", "2", "4", "8")
-"""Delay factors of Figs. 4 and 11, as printed."""
+"""Delay factors of Figs. 4 and 11, as published."""
 
 FIGURES = (
     Statement(

@@ -1,4 +1,4 @@
-"""Tables I and II as printed, and the two numbers of Sec. IV-C that come with the second."""
+"""Tables I and II as published, and the two numbers of Sec. IV-C that come with the second."""
 
 from __future__ import annotations
 

@@ -38,7 +38,7 @@ def _same(theorem: Theorem) -> list[Theorem]:
 
 @cache
 def stable_curve() -> Theorem:
-    """What is said of the curve of stable walls, for a whole delay and every plant."""
+    """What is said of the curve of stable walls, for an integer delay and every plant."""
     exact, never = solid().of  # type: ignore[attr-defined]
     walls, inside, _ = taken_apart(exact)
     on_it = for_all(walls, inside, add_assum(zero_on_circle_is_explicit(), *inside))
@@ -53,7 +53,7 @@ def stable_curve() -> Theorem:
 
 @cache
 def right_of_the_line() -> Theorem:
-    """-gamma < alpha of a stable wall beside a damped device, behind a whole delay."""
+    """-gamma < alpha of a stable wall beside a damped device, with an integer delay."""
     static, pushed = at_rest()
     readings = loop_of_device(NUMBERS, LOOP)
     loop = conjunct(readings, readings.conclusion.parts[1])
