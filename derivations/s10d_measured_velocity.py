@@ -57,7 +57,7 @@ def derive(page):
         "the limit falls to zero instead:"
     )
     page.step(
-        "The bound exceeds that for a difference of two samples by",
+        "The difference from the bound for a difference of two samples",
         2 * B / T - of_two_samples(),
         4 * B**2 / (2 * m + B * T),
         because="little for little damping, and all of it at $BT=2m$",

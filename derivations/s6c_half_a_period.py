@@ -154,7 +154,7 @@ def derive(page):
     page.settle("fractional-half-mass-apart", found)
 
 
-# With a delay of half a period a wall that is stable for a free mass is stable in the paper's reading.
+# With half a period of delay a stable wall of a free mass is stable in the paper's reading.
 #
 # The loop has the polynomial F(z), and what the paper reads is P(v) with v^2 = z and v P(v) =
 # F(v^2) - (v-1)^4 W(v^2)/8.  Along F(v^2) - q (v-1)^4 W(v^2)/8, 0 < q <= 1, no zero crosses the

@@ -198,7 +198,7 @@ def test_a_file_that_no_report_wrote_is_not_written_over(tmp_path):
         target = tmp_path / name.replace("/", "-")
         (target / name).parent.mkdir(parents=True)
         (target / name).write_text("mine")
-        with pytest.raises(place.ReportError, match=f"{name} there is not written by"):
+        with pytest.raises(place.ReportError, match=f"{name} there was not written by"):
             build.write([chapter("s3d_figures")], target, pdf=False, say=lambda _: None)
         assert [p for p in target.rglob("*") if p.is_file()] == [target / name]
         assert (target / name).read_text() == "mine"

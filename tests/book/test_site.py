@@ -171,7 +171,7 @@ def test_a_formula_that_pandoc_cannot_read_is_told():
 def test_a_folder_of_somebody_else_stays(tmp_path):
     (tmp_path / "site").mkdir()
     (tmp_path / "site" / "index.html").write_text("mine")
-    with pytest.raises(ReportError, match="site there is not made by"):
+    with pytest.raises(ReportError, match="site there was not written by"):
         write(numbered(SOME[:1]), tmp_path / "site", lambda _: None, whole=False)
     assert (tmp_path / "site" / "index.html").read_text() == "mine"
 

@@ -413,7 +413,7 @@ def test_other_mistakes():
     [
         ({"K": "1"}, "K: '1' is not allowed; give a number and a unit"),
         ({"sheet": 3}, "sheet: 3 is not allowed; give 'exact' or 'principal'"),
-        ({"sheets": "exact"}, "sheets: is not allowed; allowed are K, B"),
+        ({"sheets": "exact"}, "sheets: is not allowed; give one of K, B"),
         ({"scene": "device"}, "scene: 'device' is not allowed; give a Scene"),
         ({"over": 3, "reduce": "all"}, "over: 3 is not allowed; give a word or several"),
         ({"over": "K", "reduce": [3]}, r"reduce: \[3\] is not allowed; give a word or several"),

@@ -59,10 +59,12 @@ def add(source: Source, statements: Iterable[Statement]) -> Source:
     """
     for side in zip(*source.notation, strict=True):
         if twice := [word for word in side if side.count(word) > 1]:
-            raise ValueError(f"the notation has {twice[0]!r} twice on a side; once is allowed")
+            raise ValueError(f"the notation has {twice[0]!r} twice on a side; give it once")
     for tex, name in source.notation:
         if name not in SYMBOLS:
-            raise ValueError(f"the notation has {name!r} for {tex!r}; a symbol of ours is allowed")
+            raise ValueError(
+                f"the notation has {name!r} for {tex!r}; give a symbol of symhaptic.notation"
+            )
     named = source.key.isidentifier() and source.key.isascii()
     if not named or any(source.key == other.key for other in SOURCES):
         raise ValueError(

@@ -49,8 +49,9 @@ def bench(
         os.environ.setdefault(f"{library}_NUM_THREADS", "1")
     from symhaptic.bench import measuring
     from symhaptic.book.measured.record import FIELDS
+    from symhaptic.book.processes import temporary
 
-    with progress(len(FIELDS)) as told:
+    with temporary(), progress(len(FIELDS)) as told:
         found = measuring.measured(
             measuring.QUICK if quick else measuring.FULL, lambda done, name: told(done, Path(name))
         )
@@ -233,7 +234,7 @@ def export(
                 typer.echo(f"{form.name}({args})\n    {form.title}")
             return
         if target is None:
-            refuse(f"--target: is needed; allowed are {', '.join(TARGETS)}")
+            refuse(f"--target: is needed; give one of {', '.join(TARGETS)}")
         language = request.target(target, precision)
         folder = output or Path(f"{name}-{target}")
         _, files = request.built(language, forms, name)
@@ -276,9 +277,9 @@ def format_of(output: Path | None, given: TraceFormat | None) -> TraceFormat:
         return given or TraceFormat.csv
     if given is None and ending not in TraceFormat.__members__:
         every = ", ".join(f".{name}" for name in TraceFormat)
-        refuse(f"-o {output}: its ending names no format; allowed are {every}, or none")
+        refuse(f"-o {output}: its ending names no format; give one of {every}, or none")
     if given not in (None, ending):
-        refuse(f"-o {output}: does not end as --format {given} does; .{given} is allowed, or none")
+        refuse(f"-o {output}: does not end as --format {given} does; give .{given}, or none")
     return TraceFormat(ending)
 
 

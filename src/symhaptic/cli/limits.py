@@ -72,7 +72,7 @@ def limits(
 
     writable(output)
     if output is not None and output.resolve() == device.resolve():
-        refuse(f"-o {output}: is what is read here; another file is allowed")
+        refuse(f"-o {output}: is what is read here; give another file")
     said, into = asked(output, format)
     if into in DRAWN:
         can_draw(f"-o {output}")
@@ -119,7 +119,7 @@ def asked(
         every = ", ".join(f".{name}" for name in ENDINGS)
         refuse(f"-o {output}: {output.suffix!r} is not allowed; give {every}")
     if given not in (None, into) and (given in DRAWN or into not in DRAWN):
-        refuse(f"-o {output}: does not end as --format {given} does; .{given} is allowed, or none")
+        refuse(f"-o {output}: does not end as --format {given} does; give .{given}, or none")
     return plain or (LimitsFormat.text if into in DRAWN else into), into
 
 

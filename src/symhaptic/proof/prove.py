@@ -130,7 +130,7 @@ def _on_box(relation: Form, ends: Ends, steps: int) -> Verdict:
             "evaluate=False keeps it as it is"
         )
     if not isinstance(relation, Relational) or isinstance(relation, (sp.Eq, sp.Ne)):
-        raise TypeError(f"prove: {relation!r} is no inequality; one of <, <=, >, >= is allowed")
+        raise TypeError(f"prove: {relation!r} is no inequality; give one of <, <=, >, >=")
     form_of("prove", relation)
     spend_reading(relation)
     floats = sorted(relation.atoms(sp.Float))

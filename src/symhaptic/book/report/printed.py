@@ -41,7 +41,7 @@ MEANINGS = (
     (Kind.PROVED, "holds for all values of its domain"),
     (Kind.ENCLOSED, "a number or inequality holds, by ball arithmetic"),
     (Kind.QUALIFIED, "holds under a condition that the paper does not state"),
-    (Kind.MISPRINT, "false as printed, true as corrected"),
+    (Kind.MISPRINT, "false as published, true as corrected"),
     (Kind.REFUTED, "false"),
     (Kind.EXTERNAL, "rests on data outside the paper"),
     (Kind.SLIP, "a wrong name, number or reference in the text; not a theorem"),
@@ -75,8 +75,8 @@ def check(paths: list[Path]) -> None:
     for path in reversed(paths):
         if not re.fullmatch(r"[\w.-]+", path.stem, re.ASCII):
             raise ReportError(
-                f"--derivation {path}: {path.stem!r} is no name for LaTeX; letters, digits, '-', "
-                "'_' and '.' are allowed; rename the file"
+                f"--derivation {path}: {path.stem!r} is no name for LaTeX; rename the file with "
+                "letters, digits, '-', '_' and '.'"
             )
         if names.count(path.stem) > 1 or path.stem in RESERVED:
             raise ReportError(
