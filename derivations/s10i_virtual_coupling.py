@@ -12,14 +12,14 @@ from symhaptic.book.lemmas.coupling import drives, fades_alone, loses_energy, pa
 from symhaptic.book.lemmas.decided import escapes
 from symhaptic.book.lemmas.prelude import show
 from symhaptic.book.lemmas.virtual_mass import free, swings_up
-from symhaptic.book.sources import CLAIMED, STATEMENTS
+from symhaptic.book.sources import STATEMENTS
 from symhaptic.notation import B, K, T, b, d, k, m, m_v, v, x, z
 from symhaptic.notation.proposition import proposition
 from symhaptic.paper.reading import read
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, subst
+from symhaptic.proof.theorems.kernel import subst
 from symhaptic.proof.theorems.leaves import number, roots_inside
-from symhaptic.proof.theorems.tactics import counterexample, every, example, for_all
+from symhaptic.proof.theorems.tactics import every, for_all
 from symhaptic.rules.coupling import AFTER, BEFORE, NEXT_V, NEXT_X, SPRUNG
 
 DAMPER, HEAVY, BESIDE, IMPLICIT = (
@@ -44,8 +44,6 @@ def _damper(page):
         "heavy one, which stays where it is. Then the coupling is a wall."
     )
     [right] = read(RIGHT)
-    claim = CLAIMED[DAMPER](STATEMENTS[DAMPER].printed)
-    symbols, given, _ = taken_apart(CLAIMED[DAMPER]((right,)))
     found = page.lemma(
         "A coupling is passive if the damping of the device outweighs both its spring and its "
         "damper",
@@ -55,11 +53,11 @@ def _damper(page):
     wall = {K: S(2), B: S.One, b: S.One, T: S.One}
     page.settle(
         DAMPER,
-        for_all(symbols, given, add_assum(found, *given)),
+        found,
         corrected=[RIGHT],
         misprint=False,
-        example=example(wall | {b: S(2)}, given),
-        unless=[counterexample(claim, wall, drives(wall))],
+        example=wall | {b: S(2)},
+        unless=[(wall, drives(wall))],
         shows="$K=2$, $B=T=b=1$ meets the record and gives energy away; it needs $b=2$",
         note="the damper that has to outweigh $KT/2$ is that of the device, and a virtual damper "
         "needs damping of its own: more $B$ makes the coupling less passive",
@@ -68,8 +66,7 @@ def _damper(page):
 
 def _implicit(page):
     """The simulation of the mass."""
-    claim = CLAIMED[IMPLICIT](())
-    symbols, given, _ = taken_apart(claim)
+    symbols, given, _ = taken_apart(page.claim(IMPLICIT))
     page.say(
         "Backward Euler goes from $x$, $v$ to $p=x+Tq$ and $q=v-Tkp/m$. The energy is "
         "$\\frac12mv^2+\\frac12kx^2$ before and $\\frac12mq^2+\\frac12kp^2$ after the step."
@@ -84,12 +81,12 @@ def _implicit(page):
     step |= {NEXT_X: S.Half, NEXT_V: -S.Half}
     page.settle(
         IMPLICIT,
-        for_all(symbols, given, add_assum(found, *given)),
+        found,
         instead=every(symbols, given, AFTER <= BEFORE),
         corrected=[r"\text{the energy does not grow; each step that moves loses some}"],
         misprint=False,
-        example=example(step, given),
-        unless=[counterexample(claim, step)],
+        example=step,
+        unless=[step],
         shows="$m=k=T=1$: from $x=1$ at rest, half of the energy is left after one step",
         note="never more energy is what passivity needs; an oscillation of the simulated mass is "
         "damped by the method",
@@ -98,20 +95,15 @@ def _implicit(page):
 
 def _masses(page):
     """A virtual mass by the acceleration."""
-    claim = CLAIMED[HEAVY](STATEMENTS[HEAVY].printed)
-    symbols, given, _ = taken_apart(claim)
-    given = [*given, Eq(d, 0)]
     slow = {m_v: Rational(3, 2), m: S.One, d: S.One}
     page.settle(
         HEAVY,
-        for_all(symbols, given, add_assum(free(), *given)),
-        example=example(slow | {d: S.Zero}, given),
-        unless=[counterexample(claim, slow, swings_up(slow), but=Eq(d, 0))],
+        free(),
+        example=slow | {d: S.Zero},
+        unless={Eq(d, 0): (slow, swings_up(slow))},
         shows="$m_v=\\tfrac32m$ delayed by one period swings up",
         note="exact for a free mass without delay, see \\chapter{s10b_virtual_mass}",
     )
-    claim = CLAIMED[BESIDE](())
-    symbols, given, _ = taken_apart(claim)
     found = page.lemma(
         "A virtual mass that is stable beside a spring is stable alone",
         fades_alone(),
@@ -120,8 +112,8 @@ def _masses(page):
     stiff = {m_v: S.One, m: S.One, K: Rational(1, 10), T: S.One}
     page.settle(
         BESIDE,
-        for_all(symbols, given, add_assum(found, *given)),
-        example=example(stiff, given, roots_inside(SPRUNG.at(stiff).terms[0], z, {})),
+        found,
+        example=(stiff, roots_inside(SPRUNG.at(stiff).terms[0], z, {})),
         note="for a free mass without delay and damping",
     )
     light = {m_v: Rational(1, 4), m: S.One, K: Rational(1, 10), T: S.One}
@@ -135,14 +127,10 @@ def _masses(page):
 def _numbers(page):
     """What the record says of a device at 4 kHz."""
     for id in ("coupling:period", "coupling:noise"):
-        claim = CLAIMED[id](STATEMENTS[id].printed)
-        symbols, given, then = taken_apart(claim)
+        _, given, then = taken_apart(page.claim(id))
         at_rate = number(then.at({T: RATE}))
-        page.settle(
-            id,
-            for_all(symbols, given, subst(then, T, at_rate, show(Eq(RATE, T), *given))),
-            example=example({T: RATE}, given),
-        )
+        at_rate = subst(then, T, at_rate, show(Eq(RATE, T), *given))
+        page.settle(id, for_all([T], given, at_rate), example={T: RATE})
     page.settle("coupling:rest", number(proposition(STATEMENTS["coupling:rest"].printed[0])))
     page.say(
         "The second difference has the weights 1, $-2$ and 1. Errors of up to $e$ in three samples "

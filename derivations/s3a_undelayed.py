@@ -39,8 +39,7 @@ def derive(page):
         name=r"\tfrac{KT}{2}+B-\text{need}",
         because="tends to 0 for $\\theta\\to\\pi$ and is positive before",
     )
-    claim = CLAIMED["s3a-undelayed"]((UNDELAYED,))
-    symbols, loop, (form, same) = _parts(claim)
+    form, same = taken_apart(page.claim("s3a-undelayed"))[2].of
     frequencies = same.of[0]
     sufficient = page.lemma("The summary (6) is enough at every frequency", enough(frequencies))
     needed = page.lemma(
@@ -57,7 +56,6 @@ def derive(page):
     agree = off_the_border(frequencies, sufficient, needed)
     border = {K: S.One, B: S.One, b: Rational(3, 2), T: S.One}
     easy = {K: S.One, B: S.Zero, b: S.One, T: S.One}
-    given = [*loop, OFF_BORDER]
     sides = none_of(
         OFF_BORDER.at(border), number(Relation(S.One, "!=", S.Zero)), identity(border[b], border[b])
     )
@@ -73,15 +71,14 @@ def derive(page):
     whole = conj(undelayed_form(form), agree)
     page.settle(
         "s3a-undelayed",
-        for_all(symbols, given, add_assum(whole, *loop)),
+        whole,
         UNDELAYED,
-        example=example(easy, given, off),
-        unless=[counterexample(claim, border, sides, broken(And((form, same))), but=OFF_BORDER)],
+        example=(easy, off),
+        unless={OFF_BORDER: (border, sides, broken(And((form, same))))},
         shows=r"(5) holds at every frequency, (6) says $\tfrac32>\tfrac32$",
         note="the form for $d=0$ is right for all values; its summary (6) needs the condition",
     )
-    six = CLAIMED["eq6"]((SIX,))
-    symbols, loop, both = taken_apart(six)
+    both = taken_apart(page.claim("eq6"))[2]
     page.lemma("The summary makes a wall passive that does not pull", passive())
     deciding = page.lemma(
         "The summary is what passive walls without delay meet, but for those on the border",
@@ -89,7 +86,6 @@ def derive(page):
         because="what holds at every angle holds weakly of its limits at $0$ and $\\pi$",
     )
     off = closed(agree, either(OFF_BORDER, assume(APART)))
-    given = [*loop, K >= 0, APART]
     pulled = {K: -S.One, B: S.Zero, b: S.One, T: S.One}
     meets = number(Relation(-HALF, "<", S.One))
     pulls = gains([*pulled.values(), S.Zero], 4 * [(1, 1)])
@@ -97,13 +93,10 @@ def derive(page):
     runs = not_intro(mp(conjunct(assume(there), there.of[1]), meets), pulls, there)
     page.settle(
         "eq6",
-        for_all(symbols, given, add_assum(conj(off, deciding), *loop)),
+        conj(off, deciding),
         SIX,
-        example=example(easy, given),
-        unless=[
-            counterexample(six, pulled, runs, holds=[APART], but=K >= 0),
-            counterexample(six, border, broken(both), holds=[K >= 0], but=APART),
-        ],
+        example=easy,
+        unless={K >= 0: (pulled, runs), APART: (border, broken(both))},
         shows="a spring with $K=-1$ meets (6), but four unit steps gain 2",
         note="with $\\ge$ it is the passive walls with $K\\ge0$, those on the border as well",
     )
@@ -112,18 +105,11 @@ def derive(page):
 
 def upper_part(page):
     """(6) for walls that damp."""
-    symbols, given, _ = taken_apart(CLAIMED["s3c-upper-part"](()))
     found = page.lemma("For $B\\ge0$ the summary (6) is $b>\\frac{KT}2+B$", damped_side())
     page.settle(
         "s3c-upper-part",
-        for_all(symbols, given, add_assum(found, *given)),
-        example=example({K: S.One, B: S.One, b: S(2), T: S.One}, given),
+        found,
+        example={K: S.One, B: S.One, b: S(2), T: S.One},
         note="the condition that (5) becomes at the frequency of the largest damping "
         "(\\texttt{s3c-bmax-frequency}); the lower part, for $B<0$, is $b>\\frac{KT}2-B$",
     )
-
-
-def _parts(claim):
-    """A claim with the parts of its conclusion."""
-    symbols, given, then = taken_apart(claim)
-    return symbols, given, then.of

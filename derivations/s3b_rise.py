@@ -83,8 +83,7 @@ def derive(page):
 def _boundary(page):
     """The walls of (7), and above the corner no others, behind whole delays and up to pi/(d+1)."""
     printed = STATEMENTS["eq7"].printed
-    claim = CLAIMED["eq7"](printed)
-    symbols, given, then = taken_apart(claim)
+    then = taken_apart(page.claim("eq7"))[2]
     curve, others = then.of
     on_it = page.lemma(
         "A wall of (7) is passive, and needs all of the damping", on_boundary(*map(assume, printed))
@@ -116,21 +115,19 @@ def _boundary(page):
         disch(closed(above, conjunct(assume(others.of[0]), BORDER)), others.of[0]),
     )
     end = omega <= pi / (T * (d + 1))
-    more = [*given, whole(d), end]
     half = _wall(printed, {d: S.Half, T: S.One, b: S.One, omega: pi / 3})
     high = _wall(printed, {d: S.One, T: S.One, b: S.One, omega: 2 * pi / 3})
-    unless = (half, half_late(Rational(17, 10)), end, whole(d)), (high, STEPS, whole(d), end)
     stiffness, damping = (e.subs(theta, omega * T) for e in passivity.envelope())
     page.settle(
         "eq7",
-        for_all(symbols, more, add_assum(found, *more)),
+        found,
         Eq(K, stiffness),
         Eq(B, damping),
-        example=example(_wall(printed, UNDELAYED | {omega: pi / 2}), more),
-        unless=[
-            counterexample(claim, at, not_on_boundary(then, at, motion), holds=[holds], but=but)
-            for at, motion, holds, but in unless
-        ],
+        example=_wall(printed, UNDELAYED | {omega: pi / 2}),
+        unless={
+            whole(d): (half, not_on_boundary(then, half, half_late(Rational(17, 10)))),
+            end: (high, not_on_boundary(then, high, STEPS)),
+        },
         shows=r"for $d=1$, $\omega T=\tfrac23\pi$ (7) gives $K=-4$, $B=2$: it pulls the hand",
         note="without delay (7) is the single point $(2b/T,0)$, and the rest of the boundary is "
         "(6); for other $d>0$ it bounds the walls of (5); higher frequencies bound nothing",

@@ -55,15 +55,15 @@ def derive(page):
 
 def _settle(page):
     """The loop with a whole delay is that with z^-d: both answers are the same."""
-    claim = CLAIMED["s4a-exact-instants"](())
-    symbols, given, then = taken_apart(claim)
+    claim = page.claim("s4a-exact-instants")
+    then = taken_apart(claim)[2]
     gains = (1 + X_d * WALL) * (1 + z**-d * X * WALL)
     equal = combined(then, [late_answer(), -X * WALL / gains])
     found = closed(equal, turns(assume(PROMPT)), positive(Ne(T, 0), T > 0))
     point = FREE | {d: S.One}
     page.settle(
         "s4a-exact-instants",
-        for_all(symbols, [*given, whole(d)], add_assum(found, *given)),
+        as_claimed(claim, found, whole(d)),
         example=shown_at(claim, point, whole(d)),
         unless=[fails(claim, FREE | {d: S.Half, z: 4}, but=whole(d))],
         shows="half a period late, a free mass answers $z=4$ in another way than $z^{-1/2}$ says",

@@ -74,7 +74,7 @@ def derive(page):
 
 def _settle(page, id, form, shows, late=True):
     """Right for every loop whose device the print does not turn to 0/0, behind whole delays."""
-    claim = CLAIMED[id](STATEMENTS[id].printed)
+    claim = page.claim(id)
     bottom = STATEMENTS["eq18"].printed[0].rhs
     split, spring, steps = Ne(c_1, 0), Ne(gamma, 0), whole(d)
     conditions = (split, spring, *([steps] if late else []))

@@ -166,6 +166,5 @@ def spring_adds() -> Theorem:
     claim: Any = moved_by_the_spring()
     found = []
     for part, damper in zip(claim.of, ENDS, strict=True):
-        symbols, given, _ = taken_apart(part)
-        found.append(for_all(symbols, given, add_assum(Both(damper).stable(), *given)))
+        found.append(as_claimed(part, Both(damper).stable()))
     return conj(*found)

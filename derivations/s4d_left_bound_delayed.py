@@ -74,13 +74,12 @@ def _settled(page):
         "region ends on the line without delay. With a delay every stable wall lies right of it."
     )
     claim = CLAIMED["s4d-left-bound"]([Eq(alpha, -gamma)])
-    symbols, given, _ = taken_apart(claim)
     arms = page.lemma("The left bound of the arms of (23)", bound_of_arms())
     page.settle(
         "s4d-left-bound",
         Eq(alpha, -gamma),
-        for_all(symbols, given, add_assum(arms, *given)),
-        example=example({alpha: S.Zero, gamma: S.Zero, delta: S.Zero}, given),
+        as_claimed(claim, arms),
+        example={alpha: S.Zero, gamma: S.Zero, delta: S.Zero},
         note=r"for $d\ge1$ inside (23) only $\alpha>-\gamma$ is shown, and for $d=1$ and $d=2$ at "
         r"the limits of (23) that the line is reached to within the thickness of a line (fig9); a "
         r"stiff spring beyond (23) can keep the region away from it, such as "
@@ -93,7 +92,6 @@ def _settled(page):
     )
     found = page.lemma("The region of a damped arm ends on the line", left_bound(), boxed=True)
     claim = damped_region_ends_on_the_line()
-    symbols, given, _ = taken_apart(claim)
     easy = {alpha: -S.One, gamma: S.One, delta: S.One, d: S.Zero}
     soft = SOFT.at(easy)
     there = disj(conj(*(fact(p) for p in soft.parts[0].parts)), soft)
@@ -105,8 +103,8 @@ def _settled(page):
     )
     page.settle(
         "left-bound-damped",
-        for_all(symbols, given, add_assum(found, *given)),
-        example=example(easy, given, there),
+        found,
+        example=(easy, there),
     )
 
 

@@ -54,7 +54,7 @@ def derive(page):
     page.settle(
         "linear-free-mass",
         of_a_free_mass(),
-        example=example({alpha: S.One, beta: S.One, d: S.Zero}, [whole(d)]),
+        example={alpha: S.One, beta: S.One, d: S.Zero},
         note="by what stability needs near $z=1$, for every whole $d$ at once",
     )
 

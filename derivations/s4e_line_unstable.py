@@ -45,9 +45,7 @@ def derive(page):
         "numbers in balls bend downwards up to $\\alpha=0.16$; and no stiffer wall is stable. So "
         "the stable walls of the line end at one wall, its only crossing with the boundary:"
     )
-    claim = CLAIMED["s4e-unstable-side"](())
-    symbols, arms, _ = taken_apart(claim)
-    theorem = for_all(symbols, arms, add_assum(one_crossing(), *arms))
+    theorem = as_claimed(page.claim("s4e-unstable-side"), one_crossing())
     page.lemma(
         "Of two walls on the line the softer one is stable if the stiffer one is",
         theorem,
@@ -58,7 +56,7 @@ def derive(page):
     page.settle(
         "s4e-unstable-side",
         theorem,
-        example=example({gamma: S.Zero, delta: S.Zero, x: S.One, alpha: S(2)}, arms),
+        example={gamma: S.Zero, delta: S.Zero, x: S.One, alpha: S(2)},
         note="for $d=0$, $d=1$ and all of (23); without damping the crossing is the origin, and "
         "all of the line with $\\alpha>0$ is unstable",
     )

@@ -28,8 +28,7 @@ def derive(page):
         "larger, and the other inequalities hold in the whole triangle."
     )
     claim = safe()
-    symbols, arms, _ = taken_apart(claim)
-    theorem = for_all(symbols, arms, add_assum(below_the_crossing(), *arms))
+    theorem = as_claimed(claim, below_the_crossing())
     page.lemma(
         "What satisfies (25) and has at most the damping of a stable wall on its line is stable",
         theorem,
@@ -49,6 +48,6 @@ def derive(page):
     page.settle(
         "linear-safe",
         theorem,
-        example=example(arm | wall, arms),
+        example=arm | wall,
         note="up to the damping $\\beta_\\times$ of the only crossing",
     )

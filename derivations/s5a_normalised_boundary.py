@@ -42,8 +42,7 @@ def derive(page):
 def _boundary(page, *forms):
     """What holds of (7) holds of (27), with Table I."""
     printed = STATEMENTS["eq27"].printed
-    claim = CLAIMED["eq27"](printed)
-    symbols, given, then = taken_apart(claim)
+    then = taken_apart(page.claim("eq27"))[2]
     curve, others = then.of
     on_it = page.lemma(
         "A wall of (27), in SI units, is passive, and needs all of the damping",
@@ -62,19 +61,17 @@ def _boundary(page, *forms):
         disch(closed(above, conjunct(assume(others.of[0]), BORDER)), others.of[0]),
     )
     end = omega_hat <= pi / (d + 1)
-    more = [*given, whole(d), end]
     half = _wall(printed, {d: S.Half, omega_hat: pi / 3})
     high = _wall(printed, {d: S.One, omega_hat: 2 * pi / 3})
-    unless = (half, half_late(Rational(17, 10)), end, whole(d)), (high, STEPS, whole(d), end)
     page.settle(
         "eq27",
-        for_all(symbols, more, add_assum(found, *more)),
+        found,
         *forms,
-        example=example(_wall(printed, {d: S.Zero, omega_hat: pi / 2}), more),
-        unless=[
-            counterexample(claim, at, not_on_boundary(then, at, motion), holds=[holds], but=but)
-            for at, motion, holds, but in unless
-        ],
+        example=_wall(printed, {d: S.Zero, omega_hat: pi / 2}),
+        unless={
+            whole(d): (half, not_on_boundary(then, half, half_late(Rational(17, 10)))),
+            end: (high, not_on_boundary(then, high, STEPS)),
+        },
         shows=r"for $d=1$, $\hat\omega=\tfrac23\pi$ (27) gives $(-4,2)\,\delta$: it pulls the hand",
         note=r"without delay (27) is the single point $(2\delta,0)$, and the rest of the boundary "
         "is (6); for other $d>0$ it bounds the walls of (5); larger angles bound nothing",

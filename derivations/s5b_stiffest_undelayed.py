@@ -79,7 +79,7 @@ def largest(page, minor, arm):
     page.settle(
         "stiffest-wall-undelayed",
         closed_form(),
-        example=example({gamma: S.Zero, delta: S.Zero}, taken_apart(claim())[1]),
+        example={gamma: S.Zero, delta: S.Zero},
     )
 
 
@@ -99,11 +99,10 @@ def ratio(page):
         because="by the closed form. 17.8 is cut from the first two, 0.0562 is the inverse of the "
         "first, rounded up; just beyond the range 17.8 is too much",
     )
-    stated = CLAIMED["s5b-eta-d0"](())
     page.settle(
         "s5b-eta-d0",
-        of_ratio(stated, 0, UNDELAYED),
-        example=example({gamma: S.Zero, delta: end}, taken_apart(stated)[1]),
+        of_ratio(page.claim("s5b-eta-d0"), 0, UNDELAYED),
+        example={gamma: S.Zero, delta: end},
         enclosed=True,
         value=(ratios[0], over(S.One, ratios[0])),
         note=r"both hold on all of (23); the numbers are those of its corner $\gamma=0.001$, "

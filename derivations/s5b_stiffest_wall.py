@@ -63,7 +63,7 @@ def derive(page):
         ),
     ):
         page.state(id, says, claim=claim)
-        page.settle(id, found, example=example({d: S.One}, [whole(d)], fact(whole(S.One))))
+        page.settle(id, found, example=({d: S.One}, fact(whole(S.One))))
     page.say(
         "The theorem holds for every device, with or without spring and damper. It says that the "
         "stable walls end at the tip at the latest. That walls just below the tip are stable is "
@@ -218,18 +218,16 @@ def _for_plants(theorem: Theorem) -> Theorem:
 @cache
 def all_tangents() -> Theorem:
     """:func:`tangents`."""
-    walls, given, _ = taken_apart(_inner(tangents()))
-    return _for_plants(for_all(walls, given, add_assum(on_one_side(), *given)))
+    return _for_plants(as_claimed(_inner(tangents()), on_one_side()))
 
 
 @cache
 def all_tips() -> Theorem:
     """:func:`tips`."""
-    walls, given, _ = taken_apart(_inner(tips()))
     side, rise = inst(on_one_side(), {x: S.Zero}), assume(y > 0)
     below = over(BESIDE[0] - alpha > 0, positive((BESIDE[0] - alpha) * y > 0, [side]), rise)
     found = closed(positive(alpha < BESIDE[0], [below]), positive(Ne(y, 0), [rise]))
-    return _for_plants(for_all(walls, given, add_assum(found, *given)))
+    return _for_plants(as_claimed(_inner(tips()), found))
 
 
 def _inner(claim: Proposition) -> Proposition:

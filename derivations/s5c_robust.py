@@ -93,11 +93,10 @@ def derive(page):
         "but the right side is negative. At the origin the device swings alone: it is stable in "
         "the limit only."
     )
-    claim = CLAIMED["s5c-robust-vanishes"](())
-    symbols, given, then = taken_apart(claim)
+    symbols, given, then = taken_apart(page.claim("s5c-robust-vanishes"))
     page.settle(
         "s5c-robust-vanishes",
         for_all(symbols, given, vanishes(then.of[0])),
-        example=example({alpha: S.Zero, beta: S.Zero, d: S.Zero}, given),
+        example={alpha: S.Zero, beta: S.Zero, d: S.Zero},
         note="for every delay; one spring excludes all walls that do not pull",
     )

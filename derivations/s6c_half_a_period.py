@@ -137,7 +137,7 @@ def derive(page):
         claim=half_late_mass(),
     )
     point, held = stands()
-    page.settle("fractional-half-mass", found, example=example(point, [whole(l), TRUE], held))
+    page.settle("fractional-half-mass", found, example=(point, held))
     found = page.lemma(
         "There is a wall that the paper's reading takes for stable, and that is not",
         one_error(),

@@ -79,7 +79,7 @@ def derive(page):
     page.settle(
         "fractional-next-whole",
         found,
-        example=example(NOTHING, [*GIVEN, NEXT_WALL], nothing_is_passive()),
+        example=(NOTHING, nothing_is_passive()),
         note="so (5) to (9) and (11) are safe with $d$ rounded up",
     )
 

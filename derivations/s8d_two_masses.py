@@ -6,7 +6,6 @@ plainest device that it could be meant for, a free mass without delay.
 
 from symhaptic.book.lemmas.circulation import NOTHING, never_undamped, outside
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.sources import CLAIMED, STATEMENTS
 
 RULE = "rules:two-masses"
 WALL = {K: S.One, B: S.Zero, T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero}
@@ -14,8 +13,7 @@ ROOTS = {alpha: S.One, beta: S.Zero, gamma: S.Zero, delta: S.Zero, d: S.Zero}
 
 
 def derive(page):
-    claim = CLAIMED[RULE](STATEMENTS[RULE].printed)
-    symbols, (*given, _), _ = taken_apart(claim)
+    symbols, (*given, _), _ = taken_apart(page.claim(RULE))
     found = page.lemma(
         "Without any damping no stiffness is stable, however small",
         never_undamped(),
@@ -26,11 +24,11 @@ def derive(page):
     given = [*given, *NOTHING]
     page.settle(
         RULE,
-        for_all(symbols, given, add_assum(found, *given)),
+        found,
         instead=every(symbols, given, found.conclusion),
         corrected=[r"\text{no}\ K>0\ \text{is stable for}\ b=k=B=d=0"],
         misprint=False,
-        example=example(WALL, given),
-        unless=[counterexample(claim, WALL, outside(ROOTS))],
+        example=WALL,
+        unless=[(WALL, outside(ROOTS))],
         shows="a free mass with $m=T=1$: already $K=1$ swings up",
     )

@@ -190,6 +190,7 @@ from symhaptic.proof.theorems.roots import (
     zero_on_circle,
 )
 from symhaptic.proof.theorems.tactics import (
+    as_claimed,
     at,
     by_contradiction,
     by_multiple,

@@ -183,7 +183,7 @@ def loop_claim(
 
 
 def _claimed(claim: Proposition, conditions: Sequence[Any], found: Theorem) -> Theorem:
-    symbols, given, _ = taken_apart(claim)
+    given = taken_apart(claim)[1]
     names = definitions(given)
     known = [assume(c) for c in map(proposition, conditions) if isinstance(c, Relation)]
     apart = [t for c in known for t in unnamed(c, *names)]
@@ -192,4 +192,4 @@ def _claimed(claim: Proposition, conditions: Sequence[Any], found: Theorem) -> T
         scale = closed(over(1 / m > 0, one(), m > 0), mass)
         apart.append(positive(Ne(SPRING, 0), [Ne(k, 0), T > 0, T > 0, scale]))
     found = closed(found, mass, period, *apart)
-    return for_all(symbols, [*given, *conditions], add_assum(found, *given))
+    return as_claimed(claim, found, *conditions)
