@@ -112,6 +112,7 @@ from symhaptic.notation.proposition import (
     whole,
 )
 from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.prelude import transcribed
 from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
 from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.analysis import above_its_start, in_the_limit, increases, induction

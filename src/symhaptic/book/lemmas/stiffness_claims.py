@@ -3,11 +3,10 @@
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import largest_of
 from symhaptic.book.lemmas.stiffest_stable import Ranges, no_stiffer, numbers_known, stable_wall
-from symhaptic.paper.propositions.passivity import printed_of
 from symhaptic.paper.propositions.ratio import ARM, WALL
 
 Wall: TypeAlias = tuple[Expr, Expr]
-ELEVEN = printed_of("eq11")
+ELEVEN = transcribed("eq11")
 
 UNDELAYED: Wall = (
     Rational("0.68") + Rational("1.604") * delta,

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
-from symhaptic.paper.propositions.comparison import transcribed
 from symhaptic.paper.propositions.prelude import *
 from symhaptic.paper.propositions.ratio import ARM, stable
 from symhaptic.paper.propositions.stability import HEAVIER
