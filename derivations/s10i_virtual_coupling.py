@@ -6,21 +6,15 @@ simulates the mass by backward Euler, and a spring and a damper couple it to the
 each number and each relation of the record.
 """
 
-from sympy import Eq, Rational, S
-
-from symhaptic.book.lemmas.coupling import drives, fades_alone, loses_energy, passive_by_device
-from symhaptic.book.lemmas.decided import escapes
+from symhaptic.book.lemmas.decided import SI, escapes
+from symhaptic.book.lemmas.filtered_wall import decides
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.prelude import show
+from symhaptic.book.lemmas.undelayed import by_sign_of_damping
 from symhaptic.book.lemmas.virtual_mass import free, swings_up
 from symhaptic.book.sources import STATEMENTS
-from symhaptic.notation import B, K, T, b, d, k, m, m_v, v, x, z
-from symhaptic.notation.proposition import proposition
-from symhaptic.paper.reading import read
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import subst
-from symhaptic.proof.theorems.leaves import number, roots_inside
-from symhaptic.proof.theorems.tactics import every, for_all
-from symhaptic.rules.coupling import AFTER, BEFORE, NEXT_V, NEXT_X, SPRUNG
+from symhaptic.notation import f_v, m_v
+from symhaptic.rules.coupling import AFTER, BEFORE, NEXT_V, NEXT_X, SPRUNG, STEP
 
 DAMPER, HEAVY, BESIDE, IMPLICIT = (
     f"coupling:{name}" for name in ("damper", "stable-mass", "beside-spring", "implicit")
@@ -152,3 +146,51 @@ def _numbers(page):
         r"4.8\ \text{to}\ 6",
         "the record itself names 0.4 to 0.5 kg; of half of it the ratio would be 9.6 to 12",
     )
+
+
+# A coupling by spring and damper, a virtual mass beside a spring, and a step of backward Euler.
+
+
+@cache
+def _exact() -> Theorem:
+    """passive <=> K T/2 + B <= b and K T/2 - B <= b, for K >= 0: no filter."""
+    found = inst(decides(), {f_v: S.Zero})
+    return closed(found, fact(Relation(S.Zero, "<=", S.Zero)), fact(Relation(S.Zero, "<", S.One)))
+
+
+def passive_by_device(bound: Any) -> Theorem:
+    """A coupling is passive if the damping of the device is enough."""
+    fast, slow = _exact().conclusion.of[0].parts  # type: ignore[attr-defined]
+    up, down = magnitude(B), magnitude(B, negative=True)
+    push, brake = assume(B >= 0), positive(-B >= 0, B < 0)
+    damped = conj(positive(fast, [bound], [up, -1]), positive(slow, [bound], [up, -1], [2, push]))
+    driven = conj(
+        positive(fast, [bound], [down, -1], [2, brake]), positive(slow, [bound], [down, -1])
+    )
+    return mp(_exact(), by_sign_of_damping(damped, closed(driven, positive(B <= 0, B < 0))))
+
+
+def drives(point: Mapping[Any, Any]) -> Theorem:
+    """That a coupling in numbers is not passive."""
+    exact = inst(_exact(), point)
+    exact = closed(exact, *map(fact, exact.hypotheses))
+    bounds, passive = exact.conclusion.of  # type: ignore[attr-defined]
+    denial = not_all(bounds, number(negated(bounds.parts[0])))
+    return not_intro(mp(exact, assume(passive)), denial, passive)
+
+
+def fades_alone() -> Theorem:
+    """What is stable beside a spring is stable alone: m_v/(2m) is the product of the zeros."""
+    last = last_coefficient(assume(SPRUNG))
+    below = conjunct(last, last.conclusion.parts[1])
+    at_once = inst(free(), {d: S.Zero})
+    at_once = closed(at_once, identity(S.Zero, S.Zero))
+    bound = at_once.conclusion.of[0]  # type: ignore[attr-defined]
+    return mp(at_once, SI.closed(positive(bound, [2, m > 0, below])))
+
+
+def loses_energy() -> Theorem:
+    """After a step there is not more energy than before."""
+    moved, sped = (assume(proposition(e)) for e in STEP)
+    lost = [S.Half, m > 0, square(v - NEXT_V)], [S.Half, k > 0, square(x - NEXT_X)]
+    return positive(AFTER <= BEFORE, *lost, [moved, k * NEXT_X], [sped, m * NEXT_V])

@@ -6,7 +6,6 @@ stand for both, and what is left when nothing is assumed of the arm?
 """
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model.plant import Plant
 from symhaptic.notation import F_E
 
 

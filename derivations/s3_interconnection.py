@@ -17,7 +17,6 @@ from symhaptic.book.lemmas.connections import (
 )
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import passive_in_numbers
-from symhaptic.model.plant import Plant
 from symhaptic.paper.propositions.systems import FREQUENCY, KIND, R_1, R_2, X_1, X_2
 
 

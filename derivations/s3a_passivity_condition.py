@@ -12,9 +12,8 @@ from symhaptic.book.lemmas.motions import HALF_LATE, STEPS
 from symhaptic.book.lemmas.passivity import PASSIVE, every_margin, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import passive_in_numbers
-from symhaptic.model import passivity, wall
+from symhaptic.model import wall
 from symhaptic.paper.propositions.passivity import FIVE, at_every_frequency
-from symhaptic.proof.theorems.definitions import gains
 
 
 def derive(page):

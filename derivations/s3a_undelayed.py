@@ -20,9 +20,7 @@ from symhaptic.book.lemmas.undelayed import (
     undelayed_form,
     weakly_needed,
 )
-from symhaptic.model import passivity
 from symhaptic.paper.propositions.passivity import SIX, UNDELAYED
-from symhaptic.proof.theorems.definitions import gains
 
 
 def derive(page):

@@ -8,7 +8,6 @@ from symhaptic.book.figures.arguments import lines_of_angles
 from symhaptic.book.lemmas.largest_damping import divisors
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.rates import with_damping_and_rate
-from symhaptic.model import passivity
 from symhaptic.paper.propositions.passivity import scaled
 
 

@@ -7,7 +7,6 @@ $\pi/(T(d+1))$ cut off nothing.
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import at_every_angle
-from symhaptic.model import passivity
 
 
 def derive(page):

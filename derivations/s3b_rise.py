@@ -14,9 +14,7 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.tip import tip
 from symhaptic.book.lemmas.touching import touches
 from symhaptic.book.lemmas.upper_boundary import met, needed_there, upper_boundary
-from symhaptic.model import passivity
 from symhaptic.notation.latex import latex
-from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions.passivity import BORDER
 
 

@@ -6,8 +6,6 @@ frequency decides there, and whether the boundary really ends at $K=0$.
 
 from symhaptic.book.lemmas.largest_damping import between, divisors, limit_points, upper_frequency
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import passivity
-from symhaptic.paper import STATEMENTS
 
 
 def derive(page):

@@ -9,9 +9,7 @@ from symhaptic.book.lemmas.linear_part import ends_at_corner, met_at_every_frequ
 from symhaptic.book.lemmas.lower_boundary import lower_boundary, on_the_line
 from symhaptic.book.lemmas.motions import HALF_LATE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import passivity
 from symhaptic.proof.theorems.analysis import no_other_limit
-from symhaptic.proof.theorems.definitions import gains
 
 
 def derive(page):

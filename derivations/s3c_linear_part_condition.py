@@ -8,8 +8,6 @@ passive.
 from symhaptic.book.lemmas.linear_part import LOW, at_corner, decides
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.paper import STATEMENTS
-from symhaptic.proof.theorems.definitions import gains
 
 
 def derive(page):

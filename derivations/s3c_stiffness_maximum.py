@@ -8,8 +8,6 @@ from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.motions import half_late, not_passive
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import TURN, bound, largest_of, stiffest_wall, waves
-from symhaptic.model import passivity
-from symhaptic.paper import STATEMENTS
 
 
 def derive(page):

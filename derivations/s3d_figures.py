@@ -15,14 +15,11 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import bordering, first_half, limits, pushes, sufficient
 from symhaptic.book.lemmas.stiffest_passive import stiffest_wall
 from symhaptic.book.lemmas.upper_boundary import loss, upper_boundary
-from symhaptic.model import fractional, passivity
-from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions.passivity import BORDER, UPPER
 from symhaptic.paper.tables import DELAYS
 from symhaptic.proof.ball import ball
 from symhaptic.proof.roots import decimals
 from symhaptic.proof.series import limit
-from symhaptic.proof.theorems.definitions import gains
 
 UNIT = {b: 1, T: 1}
 

@@ -9,8 +9,6 @@ from symhaptic.book.lemmas.half_late_passive import passive_with
 from symhaptic.book.lemmas.motions import half_late, not_passive
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import stiffest_wall, waves
-from symhaptic.model import passivity
-from symhaptic.paper import STATEMENTS
 
 HALF = {d: S.Half, T: S.One, b: S.One}
 TIP = HALF | {line.lhs: line.rhs.subs(HALF) for line in STATEMENTS["eq11"].printed}

@@ -10,9 +10,8 @@ from sympy import Matrix, zeros
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import device_claim, late_answer
 from symhaptic.book.lemmas.sampled_points import FREE, SWINGING, fails, shown_at
-from symhaptic.model.plant import Plant, sampled
+from symhaptic.model.plant import sampled
 from symhaptic.notation import T_s, function
-from symhaptic.paper.reading import read
 
 CORRECTED = (
     r"\frac{((c_2 + c_3 - 2)z + (c_2 + c_3 - 2e^{-bT/m}))(b^2 - 4km) \br "

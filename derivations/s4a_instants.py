@@ -9,9 +9,8 @@ from sympy import integrate
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import PROMPT, late_answer
 from symhaptic.book.lemmas.sampled_points import FREE, fails, shown_at
-from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.plant import normalised
-from symhaptic.notation import X_d, c
+from symhaptic.notation import X_d
 from symhaptic.paper.propositions.device import WALL
 from symhaptic.proof.theorems.samples import turns
 

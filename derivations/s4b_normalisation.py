@@ -8,9 +8,8 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import definitions, renamed
 from symhaptic.book.lemmas.sampled import device_claim
 from symhaptic.book.lemmas.sampled_points import CRITICAL, SWINGING, UNHELD, fails, shown_at
-from symhaptic.model import plant, wall
-from symhaptic.model.parts import FULL
-from symhaptic.model.plant import Plant, sampled
+from symhaptic.model import wall
+from symhaptic.model.plant import sampled
 
 
 def derive(page):

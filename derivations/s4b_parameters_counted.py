@@ -9,7 +9,6 @@ from sympy import Matrix, zeros
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.units import SEVEN, in_own_units, scaled_wall
 from symhaptic.notation import SYMBOLS, TABLE_I
-from symhaptic.paper.reading import read
 
 
 def derive(page):

@@ -7,10 +7,8 @@ polynomial, and its form should not break down for the devices that one meets.
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import loop_claim
 from symhaptic.book.lemmas.sampled_points import CRITICAL, SWINGING, UNHELD, fails, shown_at
-from symhaptic.model import loop, plant, wall
-from symhaptic.model.parts import FULL
-from symhaptic.notation import c_2, c_3, function
-from symhaptic.paper import STATEMENTS
+from symhaptic.model import loop, wall
+from symhaptic.notation import function
 from symhaptic.paper.propositions.device import WALL
 
 

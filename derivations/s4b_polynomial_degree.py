@@ -7,10 +7,9 @@ in physical units, and count its powers of $z$.
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled_points import answered, completed
 from symhaptic.book.lemmas.units import same_loop
-from symhaptic.model import loop, plant, wall
-from symhaptic.model.parts import FULL
-from symhaptic.model.plant import Plant, sampled
-from symhaptic.notation import X_d, b, c_2, c_3
+from symhaptic.model import loop, wall
+from symhaptic.model.plant import sampled
+from symhaptic.notation import X_d
 from symhaptic.paper.propositions.device import SECOND
 from symhaptic.proof.theorems.roots import degree, not_of_degree
 

@@ -5,7 +5,7 @@ is derived without the missing part, and shown to be what the larger one tends t
 """
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import loop, plant
+from symhaptic.model import loop
 from symhaptic.model.parts import ALL
 
 

@@ -7,10 +7,7 @@ device separately.
 
 from symhaptic.book.lemmas.arm import PLAIN, WHOLE, bounds, limits, numbers, p, weighted
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model.plant import Plant
-from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions.arm import ARM, GIVEN, y_D, y_H
-from symhaptic.paper.reading import read
 
 
 def derive(page):

@@ -13,7 +13,6 @@ from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known
 from symhaptic.paper.propositions.areas import ENDS, moved_by_the_spring
 from symhaptic.proof import box
-from symhaptic.proof.theorems.kernel import conj
 from symhaptic.proof.theorems.leaves import on_box as on_plain_box
 
 

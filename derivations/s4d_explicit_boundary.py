@@ -8,7 +8,6 @@ and that is enough: on the unit circle one complex equation fixes both.
 from symhaptic.book.figures.arguments import crossing
 from symhaptic.book.lemmas.boundary import numerator_on_circle, zero_on_circle_is_explicit
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, plant
 from symhaptic.paper.propositions.stability import explicit, on_boundary
 
 

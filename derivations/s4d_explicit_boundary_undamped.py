@@ -5,7 +5,6 @@ where the boundary goes when $n_1=n_0$ and the line of a root at $-1$ is gone.
 """
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, plant
 
 ANGLE = (d + 1) * theta
 SPRING = Symbol("g")

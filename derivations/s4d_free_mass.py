@@ -7,7 +7,7 @@ enclose the stable walls, all of them and nothing else.
 
 from symhaptic.book.figures.passivity import free_mass
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, loop, plant
+from symhaptic.model import loop
 
 FREE = Parts(stiffness=False, damping=False)
 ANGLE = (d + 1) * theta

@@ -7,7 +7,6 @@ $0<(d+1)\theta\le\pi/2$. On it we look for the largest stiffness and the largest
 from sympy import chebyshevt
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, plant
 from symhaptic.notation import rho
 from symhaptic.proof import roots
 from symhaptic.proof.enclosed import value

@@ -6,7 +6,6 @@ fast, and on which side it stays.
 """
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, plant
 from symhaptic.notation import chi
 from symhaptic.proof.enclosed import value
 from symhaptic.proof.roots import zero

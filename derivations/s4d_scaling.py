@@ -11,7 +11,6 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.scaling import with_the_mass, with_the_rate
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.model import boundary, plant
 from symhaptic.paper.propositions.stability import HEAVY, STIFFER, STRONGER
 from symhaptic.proof.enclosed import value
 

@@ -7,8 +7,7 @@ and the Routh-Hurwitz criterion decides. We repeat that and name everything that
 from symhaptic.book.lemmas.linear import forbidden, of_the_walls, stable_with_lag
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import lag
-from symhaptic.model.plant import Plant
-from symhaptic.notation import b, t_e
+from symhaptic.notation import t_e
 
 
 def derive(page):

@@ -16,8 +16,7 @@ from symhaptic.book.lemmas.linear import (
 )
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import lag
-from symhaptic.model.plant import Plant
-from symhaptic.notation import b, t_e
+from symhaptic.notation import t_e
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.linear import lagging
 

@@ -6,8 +6,7 @@ We hold the line against it.
 """
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, linear, plant
-from symhaptic.model.parts import FULL
+from symhaptic.model import linear
 
 G, MU = symbols("g mu")
 

@@ -9,7 +9,7 @@ from sympy import tanh
 from symhaptic.book.lemmas.linear_corner import in_the_corner
 from symhaptic.book.lemmas.linear_start import no_bound, unbounded
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, linear, plant
+from symhaptic.model import linear
 from symhaptic.paper.propositions.linear_error import corner
 
 GAP = linear.GAP

@@ -5,7 +5,6 @@ which side of it the stable walls lie, for every delay.
 """
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, plant
 from symhaptic.paper.propositions.linear import of_a_free_mass as claimed
 from symhaptic.proof.theorems.definitions import loop_substituted
 

@@ -10,11 +10,10 @@ from symhaptic.book.lemmas.linear_part import passive_below
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS, TO_AND_FRO
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import DELAY
-from symhaptic.model import lag, linear, passivity
-from symhaptic.notation import b, t_e
+from symhaptic.model import lag, linear
+from symhaptic.notation import t_e
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.linear import on_or_below_the_line
-from symhaptic.proof.theorems.definitions import gains
 
 
 def derive(page):

@@ -8,7 +8,7 @@ the other.
 from symhaptic.book.lemmas.linear import turned
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
-from symhaptic.model import boundary, linear
+from symhaptic.model import linear
 from symhaptic.paper.propositions.linear import EXCHANGED, decides
 
 G = symbols("g")

@@ -7,9 +7,7 @@ ones, and only the damping $\delta$ and the delay are left.
 from symhaptic.book.lemmas.motions import STEPS, half_late, not_on_boundary
 from symhaptic.book.lemmas.normalised_boundary import above_in_units, in_units
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import passivity
-from symhaptic.notation import b, omega_hat
-from symhaptic.paper import STATEMENTS
+from symhaptic.notation import omega_hat
 from symhaptic.paper.propositions.passivity import BORDER
 
 

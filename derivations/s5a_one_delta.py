@@ -15,7 +15,6 @@ from symhaptic.book.lemmas.stiffest_passive import bound
 from symhaptic.book.lemmas.stiffest_stable import numbers_known, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import LATE, UNDELAYED, beside, from_bound, linear
 from symhaptic.book.lemmas.walls import damped, divisors, margins
-from symhaptic.notation import T, b_D, b_H, delta, m_D, m_H
 from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.paper.propositions.one_delta import (
     ARM,

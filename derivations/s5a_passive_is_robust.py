@@ -8,7 +8,6 @@ from symhaptic.book.lemmas.connections import passive_wall_is_stable, stays_on_c
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import passive_in_numbers
 from symhaptic.book.lemmas.walls import divisors
-from symhaptic.model import passivity
 
 
 def derive(page):

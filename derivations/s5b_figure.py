@@ -15,7 +15,6 @@ from symhaptic.book.lemmas.outweighed import stable_behind_every_delay
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import at_arm, at_peak, least, of_delay
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.model import boundary, passivity, plant
 from symhaptic.paper.propositions.ratio import (
     FALLEN,
     FINE,

@@ -14,7 +14,6 @@ from symhaptic.book.lemmas.passive_is_stable import (
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.walls import damped, margins, met, unstable
-from symhaptic.model import passivity
 from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.proof.theorems.definitions import loop_substituted
 

@@ -14,7 +14,7 @@ from symhaptic.book.lemmas.undelayed_tip import (
     none_stiffer,
 )
 from symhaptic.bounds.walls import over, passive, undelayed
-from symhaptic.model import boundary, jury, plant
+from symhaptic.model import jury
 
 RISE = n_1 + n_0
 

@@ -10,7 +10,6 @@ from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
 from symhaptic.book.lemmas.outweighed import stable_behind_every_delay
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffness_claims import LATE, of_ratio
-from symhaptic.model import passivity
 from symhaptic.paper.propositions.far_higher import RATIOS, SIZES
 
 HELD = (

@@ -6,8 +6,6 @@ which stiffness it is reached.
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.swing import SQUARE, by_its_square, rewritten, swings, up_to_nyquist
-from symhaptic.model import plant
-from symhaptic.model.plant import Plant
 
 
 def derive(page):

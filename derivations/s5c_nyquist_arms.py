@@ -6,7 +6,6 @@ Against the arms of Table II the limit is a large factor, but which one?
 from symhaptic.book.lemmas.arm_ranges import SHARE, above, damped, divisors, scale, weak
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.swing import spring_of_nyquist
-from symhaptic.model import plant
 
 DEVICE = {m: Rational(1, 10), T: Rational(1, 1000)}
 """Example 5.1, in kg and s."""

@@ -7,7 +7,6 @@ The Nyquist frequency is reached at $\gamma=\pi^2+\delta^2/4$. In units of a dev
 from symhaptic.book.lemmas.arm_ranges import FIFTIETH, SHARE, above, damped, divisors, scale, weak
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.swing import spring_of_nyquist
-from symhaptic.model.plant import Plant
 from symhaptic.paper.propositions.comparison import EXAMPLE
 from symhaptic.proof import box
 from symhaptic.proof.theorems.leaves import on_box

@@ -6,7 +6,7 @@ what this leaves to the wall.
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.model import loop, plant
+from symhaptic.model import loop
 from symhaptic.paper.propositions.comparison import (
     LATE,
     MIRROR,

@@ -7,7 +7,7 @@ every delay, and that one spring excludes all walls that do not pull.
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undamped_robust import chord, excluded, outpaced, pulled, vanishes
-from symhaptic.model import loop, plant
+from symhaptic.model import loop
 
 
 def derive(page):

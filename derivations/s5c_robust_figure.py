@@ -8,7 +8,6 @@ Passive walls are, for whole delays, by \chapter{s5a_passive_is_robust}; without
 from symhaptic.book.figures.stability import springs
 from symhaptic.book.lemmas.one_plane import up_to_nyquist
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import fractional, passivity, plant
 
 
 def derive(page):

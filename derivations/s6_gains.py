@@ -8,7 +8,7 @@ from symhaptic.book.lemmas.faster import SLOW, SOON, farthest, gained, much, not
 from symhaptic.book.lemmas.passive_tip import passive_wall
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import TURN, bound, waves
-from symhaptic.model import plant, wall
+from symhaptic.model import wall
 from symhaptic.paper.propositions.conclusion import FASTER
 from symhaptic.paper.propositions.passivity import PASSIVE
 from symhaptic.proof.theorems.analysis import grows

@@ -13,8 +13,7 @@ from symhaptic.book.lemmas.late_loop import (
 )
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import fractional, loop, plant
-from symhaptic.model.parts import FULL
+from symhaptic.model import loop
 
 EXAMPLE = dict.fromkeys((alpha, beta, gamma, delta, epsilon), Rational(1, 2)) | {l: S.One}
 

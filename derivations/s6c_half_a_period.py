@@ -21,7 +21,6 @@ from symhaptic.book.lemmas.half_late_circle import (
 )
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.principal import FREE, in_truth, one_error, read_loop, read_too_largely
-from symhaptic.model import fractional, plant
 from symhaptic.proof.theorems.roots import none_enters
 
 

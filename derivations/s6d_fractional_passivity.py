@@ -10,7 +10,7 @@ from symhaptic.book.lemmas.late_passivity import (
     passive_at_every_angle,
 )
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import fractional, passivity, wall
+from symhaptic.model import wall
 from symhaptic.notation import function, q_k
 
 N, NEED = symbols("n"), function("b_0")

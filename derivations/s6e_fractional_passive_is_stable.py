@@ -11,7 +11,6 @@ from symhaptic.book.lemmas.late_passive_is_stable import (
     no_crossing,
 )
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import fractional, plant
 from symhaptic.notation import q_k
 
 

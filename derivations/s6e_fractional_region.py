@@ -9,7 +9,6 @@ from symhaptic.book.figures.fractional import passive_regions
 from symhaptic.book.lemmas.late_damping import damping_late, limit_points
 from symhaptic.book.lemmas.late_passivity import low_frequencies, needed_at_low_frequencies
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import fractional
 
 POINT = {K: S.One, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: HALF}
 

@@ -14,7 +14,6 @@ from symhaptic.book.lemmas.half_late_passive import (
     stiffest_half_late,
 )
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import fractional
 from symhaptic.proof.enclosed import root
 
 HALF = {epsilon: Rational(1, 2), l: 0, b: 1, T: 1}

@@ -10,7 +10,6 @@ from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.forms import stiffest_passive
 from symhaptic.forms.entire import written_out
-from symhaptic.model import fractional
 
 HALF = theta / 2
 

@@ -9,8 +9,7 @@ from symhaptic.book.lemmas.late_damping import END, HERE, LOW, PAIR, all_between
 from symhaptic.book.lemmas.late_passivity import GIVEN, MARGIN, passive_late
 from symhaptic.book.lemmas.passivity import INSIDE, every_margin, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import fractional, passivity
-from symhaptic.notation import b, chi, kappa, r, u, w
+from symhaptic.notation import chi
 from symhaptic.proof.theorems.familiar import polar
 
 

@@ -7,7 +7,6 @@ principal root of $z$. That is not the delayed force either, and we ask how far 
 from symhaptic.book.figures.fractional import stable_readings
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.principal import both_errors, read_wrongly
-from symhaptic.model import fractional, plant
 
 
 def derive(page):

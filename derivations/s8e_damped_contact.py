@@ -6,7 +6,6 @@ free mass has an exact limit, which we derive beside it.
 
 from symhaptic.book.lemmas.circulation import damped_contact, free_mass, outside
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.paper.reading import read
 
 RULE = "rules:damped-contact"
 RIGHT = r"K < \frac{2B(2m-BT)}{T(2m+BT)}"

@@ -4,7 +4,7 @@ from symhaptic.book.lemmas.passive_boundary import on_boundary
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import DELAY
 from symhaptic.book.lemmas.upper_boundary import upper_boundary
-from symhaptic.notation import b, omega_hat
+from symhaptic.notation import omega_hat
 from symhaptic.paper.propositions.device import normalised
 
 TABLE = normalised(alpha, beta, delta)

@@ -2,8 +2,7 @@
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import definitions, explicit, renamed, unnamed
-from symhaptic.model.plant import Plant
-from symhaptic.notation import X_d, b, d_1, d_2
+from symhaptic.notation import X_d, d_1, d_2
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.familiar import in_units, shifted
 from symhaptic.proof.theorems.samples import held_answer, one_answer, turns
