@@ -117,7 +117,7 @@ def _stiffest(page, *derived):
         because="by \\chapter{s3b_rise} the envelope is softer on either side of this angle, so "
         "that the margin of this wall, divided by $\\cos(d+1)\\theta$, falls there from plus to "
         "minus through zero, and the margin itself is not negative. At larger angles "
-        "\\chapter{s3b_extent} says so. With the step before no passive wall is stiffer",
+        "\\chapter{s3b_rise} says so. With the step before no passive wall is stiffer",
         boxed=True,
     )
     at_half = {d: S.Half, T: S.One, b: S.One}

@@ -134,9 +134,7 @@ def test_a_note_has_words_beside_formulas():
     assert prose(r"\emph{5 % {x}} -- \texttt{a_b-c} {") == (
         r"\emph{5 \% \{x\}} -{}- \texttt{a\_b-\allowbreak{}c} \{"
     )
-    assert print_.inline(referred("a<b")) == (
-        r"\statementlink{a.3c.b}{\texttt{\scriptsize a<b}}"
-    )
+    assert print_.inline(referred("a<b")) == (r"\statementlink{a.3c.b}{\texttt{\scriptsize a<b}}")
 
 
 def some(dice, depth):

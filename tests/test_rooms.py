@@ -21,6 +21,7 @@ ALL_NAMES = ("bench.functions", "book.report.reference")
 
 LOOSE = {"__init__", "__main__", "version"}
 
+
 @cache
 def modules():
     """Dotted names below the package, with their files."""
