@@ -65,7 +65,7 @@ COMMANDS = {
 FILES = {
     "report": [
         *(SOURCE / "book" / "report" / f"{name}.py" for name in ("place", "printed")),
-        SOURCE / "cli" / "reporting.py",
+        SOURCE / "cli" / "report.py",
     ],
     "export": [SOURCE / "export" / "request.py", SOURCE / "export" / "language.py"],
 }

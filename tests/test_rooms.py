@@ -1,6 +1,7 @@
 """Rooms: each imports only rooms above it, no import goes in a circle, and nothing lies loose."""
 
 import ast
+import re
 from functools import cache
 from pathlib import Path
 
@@ -61,13 +62,41 @@ def test_nothing_lies_loose():
     assert folders == set(ROOMS)
 
 
+def about(folder):
+    """What a folder says of itself."""
+    path = HOME / folder / "__init__.py"
+    return ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
+
+
 @pytest.mark.parametrize("name", ROOMS)
 def test_a_room_says_its_question_and_its_neighbours(name):
-    """One paragraph: the question, what may be imported there, from where it is used."""
-    said = ast.get_docstring(ast.parse((HOME / name / "__init__.py").read_text(encoding="utf-8")))
+    """The question, what each file answers, what may be imported there, from where it is used."""
+    said = about(name)
     assert "?" in said.splitlines()[0]
-    assert "mports" in said
-    assert "sed by" in said or "sed from" in said
+    imports, users = re.fullmatch(r".*Imports\s(.*?); used\sby\s(.*)", said, re.DOTALL).groups()
+    assert {r for r in re.findall(r"``(\w+)``", imports) if r in ROOMS} <= neighbours(name)
+    for user in set(re.findall(r"``(\w+)``", users.partition(", and never")[0])) & set(ROOMS):
+        assert name in neighbours(user), user
+
+
+def neighbours(name):
+    """The rooms from which a room imports."""
+    return {room(other) for m in modules() if room(m) == name for other in imported(m)} - {name}
+
+
+FOLDERS = sorted(str(path.parent.relative_to(HOME)) for path in HOME.glob("*/**/__init__.py"))
+ROOT = Path(__file__).parents[1]
+
+
+@pytest.mark.parametrize("folder", FOLDERS)
+def test_the_files_that_a_folder_names_are_there(folder):
+    """``name`` is a file beside it or a room; what looks like a path is one."""
+    said = about(folder)
+    beside = {path.stem for path in (HOME / folder).iterdir()}
+    assert set(re.findall(r"``(\w+)``", said)) <= {*beside, *ROOMS, "symhaptic"}
+    for path in re.findall(r"`([\w./*]+)`", said):
+        if "/" in path or ("." in path and not path.startswith("symhaptic.")):
+            assert any([*place.glob(path)] for place in (HOME / folder, HOME, ROOT)), path
 
 
 @pytest.mark.parametrize("name", ROOMS)

@@ -15,6 +15,7 @@ from symhaptic.version import __version__ as __version__
 if TYPE_CHECKING:
     from symhaptic.book.formulas import Formula, formula
     from symhaptic.loops.actuator import Lag
+    from symhaptic.loops.oversampled import Oversampled
     from symhaptic.loops.sensor import Encoder
     from symhaptic.loops.structure import SecondMass
     from symhaptic.loops.system import LinearDevice
@@ -61,6 +62,7 @@ _HOME = {
     "LinearDevice": "symhaptic.loops.system",
     "LowPass": "symhaptic.loops.velocity",
     "Measured": "symhaptic.loops.velocity",
+    "Oversampled": "symhaptic.loops.oversampled",
     "Region": "symhaptic.numeric.tracing.region",
     "Scene": "symhaptic.scene.scene",
     "SecondMass": "symhaptic.loops.structure",
@@ -109,6 +111,7 @@ __all__ = [
     "LinearDevice",
     "LowPass",
     "Measured",
+    "Oversampled",
     "Region",
     "Scene",
     "SecondMass",

@@ -10,7 +10,7 @@ import pytest
 from command import symhaptic
 
 from symhaptic.book import foreign, parallel
-from symhaptic.cli.foreign import judged, told_of
+from symhaptic.cli.rocq import judged, told_of
 from symhaptic.rocq import compiled, together
 from symhaptic.rocq.outcome import longest_first
 

@@ -10,7 +10,7 @@ from sympy import Symbol
 
 from symhaptic.book import foreign
 from symhaptic.book.chapters import expected_ledger, expected_rocq, shipped
-from symhaptic.cli.foreign import stale
+from symhaptic.cli.rocq import stale
 from symhaptic.notation.proposition import proposition
 from symhaptic.proof.theorems.derivation import sources
 from symhaptic.rocq import assumptions, compiled, preludes, together

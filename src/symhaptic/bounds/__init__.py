@@ -1,7 +1,9 @@
-"""What holds over a range?  The largest walls of all plants of a box, in balls.
+"""What holds for all plants of a range?  Proved bounds in ball arithmetic.
 
-How much each part of a loop costs when a model leaves it out, and the smallest model whose error is
-proved to be small enough; in ``safe`` the walls that no arm of a range makes unstable.  Imports
-``notation``, ``paper`` (its ranges), ``model``, ``proof`` and ``numeric``; used by ``book`` and
-``scene``.
+* ``safe``: the walls that no arm of a range makes unstable
+* ``simplest``: the smallest model whose error is proved to be small
+* ``walls``, ``linear_points``, ``balls``: what these and the chapters compute in balls
+
+Imports ``notation``, ``model``, ``proof`` and ``numeric``; used by ``book``, ``scene``, ``bench``
+and ``cli``.
 """

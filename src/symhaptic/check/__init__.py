@@ -1,5 +1,11 @@
 """Is somebody's own code right?  A function from outside beside exact values of a formula.
 
-Imports ``bench`` for the exact values, ``numeric`` to know where to look, and ``paper``, ``rules``
-and ``proof`` for the mistakes it may be; used by ``cli`` and, as a plugin, by pytest.
+* ``callers``, ``worker``: the function runs in a process of its own, with limits
+* ``formulas``, ``checked``: what can be checked, and its exact values
+* ``points``, ``compare``: where the function is called, and its worst error
+* ``mistakes``: which common error it may be
+* ``report``, ``plugin``: the result as text and files, and the fixture for pytest
+
+Imports ``bench`` for the exact values, ``numeric``, and ``paper``, ``rules`` and ``proof`` for the
+common errors; used by ``cli`` and, as a plugin, by pytest.
 """

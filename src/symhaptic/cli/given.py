@@ -1,4 +1,4 @@
-"""The chapters that somebody hands in: options, and what is said of those that cannot be run."""
+"""Chapters and sources that a user gives: their options, and messages if they cannot be run."""
 
 from __future__ import annotations
 

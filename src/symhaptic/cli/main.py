@@ -18,16 +18,30 @@ from typing import Annotated, Any
 import typer
 
 from symhaptic.cli import (  # noqa: F401 - each registers its commands
-    checking,
+    check,
     computing,
     controller,
-    deciding,
     limits,
-    mutating,
-    reporting,
+    mutants,
+    report,
+    verify,
 )
 from symhaptic.cli.shared import FULL, Unusable, app, refuse
 from symhaptic.notation.suggest import suggested
+
+_ORDER = (
+    *("verify", "report", "check", "limits", "controller", "trace", "jury"),
+    *("export", "bench", "mutants", "kernels"),
+)
+"""In which the help lists the commands, what most people need first."""
+
+
+def _place(command: typer.models.CommandInfo) -> int:
+    assert command.callback is not None
+    return _ORDER.index(command.name or command.callback.__name__)
+
+
+app.registered_commands.sort(key=_place)
 
 # Typer carries Click inside or beside itself, depending on its age; this is the base of the
 # errors that its parser raises, in either case.

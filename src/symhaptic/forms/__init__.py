@@ -1,6 +1,14 @@
-"""How is it computed?  Formulas in forms that lose no digits, made of entire functions.
+"""In which form does a formula keep its digits?  Stable forms, made of entire functions.
 
-Each stable form equals what ``model`` derives, is made of SymPy expressions and of entire functions
-with their series and slopes, and says where its arguments may be.  Imports ``notation``, ``model``
-and ``proof``; used by ``export``, which writes them as code, and by ``book``.
+* ``stable``, ``form``: the list of all forms; what a form is, and where it is defined
+* ``device_forms``, ``passivity_forms``, ``stability_forms``: the forms of each subject, by scene
+* ``fractional_delay``, ``required_damping``, ``response``, ``max_stiffness_slope``,
+  ``stiffest_passive``: formulas that these share
+* ``entire``: the entire functions, such as n1, and their derivatives
+* ``implicit``, ``root_count``: functions that are searched for or counted
+* ``derivatives``, ``values``: derivatives of forms, and values in many digits
+
+Each form equals what ``model`` derives; a chapter of part 9 proves it.  How a float computes an
+entire function, with a series near zero, is in `export/routines`.  Imports ``notation`` and
+``model``; used by ``export``, ``book``, ``scene``, ``bench`` and ``cli``.
 """

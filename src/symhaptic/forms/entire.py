@@ -14,6 +14,9 @@ p q = gamma, and divided differences of exp over repeated nodes,
 
 and those of n_0 = exp(-delta) n_1(gamma, -delta) by time reversal.  For real poles each of them is
 positive.  ``SLOPES`` says which function is the derivative of which.
+
+Floats compute these functions by the routines of export/routines, with power series near zero:
+device.py has those of n_1 and n_0.
 """
 
 from __future__ import annotations

@@ -1,7 +1,10 @@
 # Written by `symhaptic kernels` from the stable forms; do not edit.
-"""How large is it, bare?  The stable forms as functions of arrays of any library.
+"""How does a call compute?  The stable forms as generated code, which imports nothing.
 
-Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
+`haptic.c` has the functions in C; `ufuncs.cpp`, written by hand, calls them in a loop over arrays,
+and `table.h` lists them for it.  ``haptic`` has the same functions for arrays of any library.
+`symhaptic kernels` writes all but `ufuncs.cpp` from the routines of `export/routines`.  Imports
+nothing; used by ``numeric``.
 """
 
 STAMP = "3def2c0259ffad48"

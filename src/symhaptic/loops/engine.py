@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from symhaptic.loops import count
 from symhaptic.loops.circle import Array, point, value
 from symhaptic.loops.loop import Loop, closed
+from symhaptic.loops.oversampled import Oversampled
 from symhaptic.loops.passive import Needs
 from symhaptic.loops.plant import (
     Plant,
@@ -75,8 +76,10 @@ class Engine:
     def at_delay(self, delay: Array | float) -> Loop:
         """The loop at one delay, or at each of an array of them."""
         whole = np.floor(delay)
-        if self.integrator == "hold":
-            sampled: Sampled = held(self.plant, delay - whole)
+        if isinstance(self.velocity, Oversampled):
+            sampled: Sampled = self.velocity.sampled(self.plant, delay - whole, self.period)
+        elif self.integrator == "hold":
+            sampled = held(self.plant, delay - whole)
         elif np.any(delay != whole):
             raise ValueError(
                 f"delay: of {delay!r} periods is not allowed with integrator={self.integrator!r}; "
@@ -109,6 +112,7 @@ class Engine:
         for given, why in (
             (simulated, f"integrator={self.integrator!r}: a simulator is no device"),
             (bool(self.parts), "(4) is of a mass on which the force acts at once"),
+            (isinstance(self.velocity, Oversampled), "velocity=Oversampled(): (4) is of one rate"),
             (isinstance(self.velocity, Measured), "velocity=Measured(): (4) is of positions alone"),
             (self.delay % 1, "delay: with a filter (4) is of whole periods"),
         ):

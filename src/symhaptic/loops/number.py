@@ -1,4 +1,4 @@
-"""What the formulas of parts are written for."""
+"""Polynomials whose coefficients are floats, arrays or SymPy's expressions."""
 
 from __future__ import annotations
 

@@ -6,6 +6,8 @@ Without units: time in periods, forces in units of m/T^2 times the unit of lengt
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -16,6 +18,7 @@ from symhaptic.loops.circle import Array
 from symhaptic.loops.controller import Wall, controller
 from symhaptic.loops.engine import STEPS, Engine
 from symhaptic.loops.motion import POWERS, Forms, Friction, Handle, Motion, cuts
+from symhaptic.loops.oversampled import Oversampled
 from symhaptic.loops.plant import Plant, moving_mass
 from symhaptic.loops.structure import SecondMass
 from symhaptic.loops.system import LinearDevice
@@ -65,7 +68,14 @@ class _Answers:
         self.forces = np.full((self.periods + 1, 3), np.nan)
         self._outside = np.append(outside, outside[-1:]).tolist()
         self._commands = [0.0] * (math.floor(engine.delay) + 1)
-        self._sampled = controller(wall, engine.velocity, engine.period, start)
+        velocity, period, (place, speed) = engine.velocity, engine.period, start
+        self.times = 1
+        """Readings of the position a period."""
+        if isinstance(velocity, Oversampled):
+            self.times, velocity = velocity.times, velocity.velocity
+            period, speed = period / self.times, speed / self.times
+        alone = replace(wall, beta=wall.beta * self.times)  # of a velocity in readings
+        self._sampled = controller(alone, velocity, period, (place, speed))
 
     def at(self, k: int, state: Array) -> tuple[float, float, float] | None:
         """The forces from sample k on; none beyond the range of floats."""
@@ -77,6 +87,12 @@ class _Answers:
         forces = self._commands[k], self._commands[k + 1], self._outside[k]
         self.forces[k] = forces
         return forces
+
+    def between(self, part: float, z: Array) -> None:
+        """A reading within a period, where there is one."""
+        if part and (part * self.times).is_integer():
+            state = z[:-3]
+            self._sampled(float(self._plant.position @ state), float(self._plant.velocity @ state))
 
 
 def _held(
@@ -105,7 +121,8 @@ def _held(
             "leave out coulomb_friction, or the actuator or structure that is so fast"
         )
     reported = {n / (between + 1) for n in range(between + 1)}
-    period = _Period(motion, engine.delay % 1, cuts({engine.delay % 1, *reported}, longest))
+    read = {n / answers.times for n in range(answers.times)}
+    period = _Period(motion, engine.delay % 1, cuts({engine.delay % 1, *reported, *read}, longest))
     if friction:
         rows, works = _with_friction(period, answers, state, Friction(motion, friction))
     else:
@@ -157,6 +174,16 @@ class _Period(NamedTuple):
             state = (self.motion.legs(time, False).step @ z)[:size]
         return state
 
+    def through(
+        self, state: Array, forces: tuple[float, float, float]
+    ) -> Iterator[tuple[float, Array]]:
+        """The start of each leg of a period, and z there."""
+        z = np.array([*state, *forces[1:], 0.0])
+        for at, time in self.legs:
+            z[-3] = forces[int(at >= self.fraction)]
+            yield at, z
+            z = self.motion.legs(time, False).step @ z
+
     def rows(self, samples: Array, forces: Array) -> Array:
         """z at the start of each leg of each period, up to the last sample."""
         found = []
@@ -177,6 +204,9 @@ def _without_friction(period: _Period, answers: _Answers, state: Array) -> tuple
         forces = answers.at(k, state)
         if forces is None:
             break
+        if answers.times > 1:
+            for part, z in period.through(state, forces):
+                answers.between(part, z)
         state = step @ [*state, *forces]
     rows = period.rows(samples, answers.forces)
     return rows, period.works(rows, np.zeros(len(rows) - 1, dtype=bool))
@@ -199,6 +229,7 @@ def _with_friction(
             if row == count:
                 rows[row] = z
                 break
+            answers.between(at, z)
             rows[row], stuck[row], work, z = friction.advance(z, time)
             if work is not None:
                 eventful[row + 1] = work

@@ -2,8 +2,16 @@
 
 The symbols are plain SymPy symbols without assumptions, so that a formula typed with
 ``sympy.symbols("K B T")`` is the same formula; domains are data, used when a counterexample is
-looked for.  Here also are terms and their order, LaTeX in and out, quantities with units, and the
-language of propositions.  Imports no other room; used by all of them.
+looked for.
+
+* ``latex``, ``term_order``, ``written``: formulas and propositions as LaTeX
+* ``units``, ``quantities``: units that a user writes, and numbers with units
+* ``proposition``, ``predicates``, ``terms``: the language of claims and theorems
+* ``exact``, ``fresh``, ``sizes``: rational numbers, new symbols, the largest floats that are
+  allowed
+* ``extras``, ``suggest``: optional dependencies, names that were meant
+
+Imports no other room; used by all of them.
 """
 
 from __future__ import annotations

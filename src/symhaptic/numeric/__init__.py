@@ -1,6 +1,14 @@
-"""How large is it?  The public functions of arrays, and the boundaries traced from them.
+"""How large is it?  The public functions of numbers and arrays, none of which loads SymPy.
 
-Arguments are checked and given to the generated kernels; ``tracing`` finds regions, extremes and
-delay margins.  Imports ``kernels`` and of ``notation`` nothing symbolic, so that no call ever loads
-SymPy; used by ``bounds``, ``book``, ``scene`` and ``bench``.
+* ``stability``, ``passivity``, ``linear``, ``boundary``, ``plant``: the functions, by subject
+* ``tracing``: regions, largest stiffnesses and, in `margin`, delay margins
+* ``given``, ``arguments``: arguments are checked and made arrays
+* ``containers``: arrays of xarray, Dask, pandas and Pint
+* ``compiled``: chooses between the compiled kernels and those for arrays
+* ``slopes``: derivatives in JAX
+* ``crossings``, ``cubic``, ``extremum``: what root counts and searches need
+
+`Scene` gives these functions units: see ``scene``.  Imports ``kernels`` and of ``notation``
+nothing symbolic; used by ``loops``, ``bounds``, ``book``, ``scene``, ``sweeps``, ``bench``,
+``check`` and ``cli``.
 """

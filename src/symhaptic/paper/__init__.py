@@ -1,10 +1,17 @@
-"""What is printed?  Equations, tables, plots, claims and constants, exactly as they stand.
+"""What does the paper say?  Its statements exactly as published, misprints included.
 
 Hulin, Albu-Schaeffer and Hirzinger, *Passivity and Stability Boundaries for Haptic Systems with
-Time Delay*, IEEE Transactions on Control Systems Technology, 2014.  Misprints are kept; nothing is
-computed here and nothing is corrected.  ``statements.toml`` is the transcription, and
-``propositions`` says what each statement claims.  Imports ``notation``; used by ``book``, and
-never reached from ``model``.
+Time Delay*, IEEE Transactions on Control Systems Technology, 2014.  Nothing is computed here and
+nothing is corrected; what is right instead is part of the verdict, in a chapter (see ``book``).
+
+* ``statements.toml``: equations, figures, tables, claims with their numbers such as 17.8, slips
+* ``tables``, ``ranges``: numbers of Table II, of the figures, and the ranges (23)
+* ``statement``, ``quoted``: what a statement is made of
+* ``reading``: reads a published formula
+* ``propositions``: what each statement claims
+
+Imports ``notation``; used by ``rules``, ``proof``, ``book``, ``scene``, ``bench``, ``check`` and
+``cli``, and never reached from ``model``.
 """
 
 from __future__ import annotations

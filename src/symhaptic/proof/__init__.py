@@ -1,6 +1,16 @@
-"""What can be decided?  Zero tests, series, signs, balls, boxes, certificates and theorems.
+"""What can be decided, and what is proved?  Deciders, theorems and verdicts.
 
-A decider answers yes, no or undecided; a certificate can be checked again by another routine;
-:mod:`symhaptic.proof.theorems` is the kernel that makes theorems of what the deciders know.
-Imports ``notation`` and ``model``; used by ``bounds`` and ``book``.
+* ``theorems``: the kernel that makes theorems; its `judge` makes verdicts of them
+* ``verdict``, ``settle``: the kinds of verdict; a theorem beside a published statement
+* ``normal``, ``rewriting``, ``ring``: is an expression zero?
+* ``series``: limits
+* ``ball``, ``box``, ``enclose``, ``enclosed``, ``program``, ``plants``: numbers and boxes, in balls
+* ``certificate``, ``recheck``: what was found, and checked again by another routine
+* ``decide``, ``prove``, ``refute``, ``asked``: two formulas compared, for users too
+* ``derivative``, ``roots``, ``values``, ``constants``, ``points``: exact values and derivatives
+* ``shape``, ``names``, ``units``, ``budget``: forms, names, dimensions, the work that is allowed
+* ``mutants``: formulas with one change
+
+A decider answers yes, no or undecided.  Imports ``notation``, ``paper`` and ``model``; used by
+``bounds``, ``book``, ``rocq`` and ``check``.
 """

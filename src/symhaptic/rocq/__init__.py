@@ -1,11 +1,15 @@
-"""Does somebody else's kernel believe it?  The theorems of a chapter, written for Rocq.
+"""Does another kernel agree?  The theorems of a chapter, written for the proof assistant Rocq.
 
-A file says each theorem that a chapter hands over and proves it from its leaves: ``terms``,
-``complexes`` and ``propositions`` print what is said, ``identities`` and ``leaves`` how a decider's
-answer is checked, ``logic`` and ``classical`` what a rule is there, ``steps`` and ``chapter`` make
-the file of it; ``compiled`` has it checked, ``outcome`` says what was found, ``together`` asks on
-what chapters rest, and ``assumptions`` lays the axioms that Rocq lists to the statements.
-``preludes`` are ``Prelude.v``, which all files use, ``Boxes.v``, those with a box, and ``Zeros.v``,
-those that count zeros.
-Imports ``notation``, ``proof`` and ``book``; used by ``cli``.
+* ``terms``, ``complexes``, ``propositions``: how a theorem's statement is printed
+* ``meaning``, ``reading``: it is read back, and compared with the statement
+* ``identities``, ``leaves``: how a decider's answer is checked
+* ``logic``, ``classical``, ``loops``, ``zeros``: what each rule is in Rocq
+* ``steps``, ``chapter``, ``shared``: the file of a chapter
+* ``compiled``, ``outcome``: Rocq runs, and what it says is kept
+* ``together``, ``assumptions``: the axioms on which each statement rests
+* ``record``: `reports/rocq.json`
+* ``preludes``: the files `*.v`: `Prelude.v` for all chapters, `Boxes.v` for those with a box,
+  `Zeros.v` for those that count zeros
+
+Imports ``notation``, ``model``, ``proof`` and ``book``; used by ``cli``.
 """

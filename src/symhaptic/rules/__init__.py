@@ -1,9 +1,13 @@
 """What do people use?  Limits of the stiffness that are in circulation, and a design record.
 
-Sources beside the paper: each rule with who uses it, and what it claims of a wall; a record that
-can be read in full; and devices with what is published of them.  Nothing is computed here and
-nothing is corrected.  Imports ``notation`` and ``paper``; used by ``book`` and ``scene``, and never
-reached from ``model``.
+* ``statements``, ``claims``: rules for the paper's loop, with who uses them and what they claim
+* ``other_loops``: rules for loops with filters and other parts
+* ``coupling``: a design record that can be read in full
+* ``devices``: devices as they are published
+
+These are sources beside the paper: nothing is computed or corrected here.  The rules of the kernel
+are in `proof/theorems`.  Imports ``notation`` and ``paper``; used by ``book``, ``scene`` and
+``check``, and never reached from ``model``.
 """
 
 from __future__ import annotations

@@ -24,8 +24,8 @@ def files(scene: DeviceLoop, K: float, B: float, single: bool = False) -> dict[s
     velocity = scene.velocity or Difference()
     if isinstance(velocity, Measured):
         raise ValueError(
-            "velocity: Measured() is not allowed for a controller in C; give what computes it "
-            "from positions"
+            f"velocity: {velocity!r} is not allowed for a controller in C; give what computes it "
+            "from the positions of the samples"
         )
     if not is_stable(scene, K, B):
         raise ValueError(f"K: {K!r} with B={B!r} is not stable for this device; give a stable wall")

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from symhaptic.loops.actuator import Lag
+from symhaptic.loops.oversampled import Oversampled
 from symhaptic.loops.sensor import Encoder
 from symhaptic.loops.structure import SecondMass
 from symhaptic.loops.velocity import Average, Difference, Filter, LowPass, Measured, Window
@@ -52,6 +53,7 @@ SCHEMA |= {
     )
     for table, kinds in PARTS.items()
 }
+SCHEMA["velocity"] += ("times",)
 """Keys of each table; those of the device and its loop stand at the top."""
 
 NAMED = {"": "device", "arm": "name"}
@@ -157,6 +159,7 @@ def _part(path: Path, text: str, table: str, given: dict[str, Any]) -> Any:
     if not isinstance(name, str) or name not in kinds:
         place, allowed = _place(path, text, table, "kind"), ", ".join(map(repr, kinds))
         raise BadDevice(f"{place} = {name!r} is not allowed; give one of {allowed}")
+    times = given.pop("times", None) if table == "velocity" else None
     wanted = {each.name: each.default is MISSING for each in fields(kinds[name]) if each.init}
     for key in given.keys() - wanted.keys():
         place = _place(path, text, table, key)
@@ -164,7 +167,8 @@ def _part(path: Path, text: str, table: str, given: dict[str, Any]) -> Any:
     for key, needed in wanted.items():
         if needed and key not in given:
             raise BadDevice(f"{path}: [{table}] needs {key}")
-    return kinds[name](**given)
+    part = kinds[name](**given)
+    return part if times is None else Oversampled(part, times)
 
 
 _EXAMPLES = {"mass": '"72 g"', "sampling_period": '"1 ms"'}

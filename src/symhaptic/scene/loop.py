@@ -16,6 +16,7 @@ from typing import Any, Self, TypeVar
 
 from symhaptic.loops.actuator import Lag
 from symhaptic.loops.engine import STEPS, Engine
+from symhaptic.loops.oversampled import Oversampled
 from symhaptic.loops.sensor import Encoder
 from symhaptic.loops.structure import SecondMass
 from symhaptic.loops.system import LinearDevice
@@ -142,6 +143,14 @@ class DeviceLoop:
             raise ValueError(
                 f"integrator: {self.integrator!r} beside an actuator, a structure or dynamics "
                 "is not allowed; a simulator moves one mass"
+            )
+        if isinstance(self.velocity, Oversampled) and (
+            self.integrator != "hold" or self.virtual_mass
+        ):
+            other = "virtual_mass" if self.virtual_mass else "integrator"
+            raise ValueError(
+                f"{other}: {getattr(self, other)!r} beside velocity=Oversampled() is not allowed; "
+                "give a velocity of one rate"
             )
         if self.arm is not None:
             checked(self.arm, self.rotary)

@@ -64,7 +64,7 @@ class Scene(DeviceLoop):
         The arm that holds the device.
     dynamics : LinearDevice, optional
         Any linear device, instead of mass, damping, stiffness and arm.
-    velocity : LowPass, Average, Window, Filter, Measured or Difference, optional
+    velocity : LowPass, Average, Window, Filter, Measured, Oversampled or Difference, optional
         What the wall takes for the velocity; (x_k - x_(k-1))/T if left out, as in the paper.
     actuator : Lag, optional
         A lag between the command and the force.

@@ -1,7 +1,11 @@
 """How does it depend on everything?  Any quantity over named axes, on one core or on many.
 
-``quantities`` says what is swept, and in which units; a ``plan`` cuts it into blocks that know
-nothing of each other; ``work`` hands these out, ``stores`` keep what is finished, ``charts`` are
-drawn with ``drawing``.  Imports ``numeric``, ``scene`` and of ``notation`` and ``book`` nothing
-symbolic; used by users.
+* ``sweep``, ``axes``, ``quantities``: the call, its arguments, and what can be swept in which units
+* ``plan``: independent blocks; arrays of Dask
+* ``work``: who computes: threads, processes, a client of Dask's
+* ``stores``, ``marks``: finished blocks, and whether they are still valid
+* ``charts``, ``drawing``: pictures
+
+Worker processes end with their parent by `book/processes.py`.  Imports ``numeric``, ``scene`` and
+of ``notation`` and ``book`` nothing symbolic; used by users.
 """

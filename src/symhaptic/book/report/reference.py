@@ -22,7 +22,7 @@ PREFIX = "reference:"
 GROUPS = {
     "A device in SI units": ("Scene",),
     "Parts of a loop": (
-        *("LowPass", "Average", "Window", "Filter", "Measured", "Difference"),
+        *("LowPass", "Average", "Window", "Filter", "Measured", "Oversampled", "Difference"),
         *("Lag", "SecondMass", "LinearDevice", "Encoder"),
     ),
     "Stable walls": (

@@ -1,4 +1,4 @@
-"""Report: the chapters in print."""
+"""The command `report`: the book, single chapters and the site."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from symhaptic.cli.foreign import stale
 from symhaptic.cli.given import Derivations, SourceFolder, chapters_in, own_chapters
+from symhaptic.cli.rocq import stale
 from symhaptic.cli.shared import app, filling, folder_allowed, only_listed, progress, refuse
 from symhaptic.notation.suggest import suggested
 

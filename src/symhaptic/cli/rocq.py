@@ -1,4 +1,4 @@
-"""The second judge: theorems written for Rocq, and what it says of them."""
+"""`verify --rocq`: theorems are written for Rocq, and its answer is compared with the record."""
 
 from __future__ import annotations
 

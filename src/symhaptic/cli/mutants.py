@@ -1,4 +1,4 @@
-"""Mutants: what asks whether anything wrong would be refused."""
+"""The command `mutants`: every statement with one change, which must be refused."""
 
 from __future__ import annotations
 

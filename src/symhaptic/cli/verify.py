@@ -1,4 +1,4 @@
-"""Verify: what asks whether the chapters are right."""
+"""The command `verify`: the verdicts on all statements, and the exit status if one has changed."""
 
 from __future__ import annotations
 
@@ -122,7 +122,7 @@ def verify(
 
     gc.set_threshold(SELDOM)
     from symhaptic.book import chapters, committed, ledger, listing, parallel
-    from symhaptic.cli.foreign import judged, stale, whole
+    from symhaptic.cli.rocq import judged, stale, whole
 
     writable(output)
     if source is not None and (derivation or listed):
