@@ -7,13 +7,12 @@ of this loop. Are they exact there, and what are they worth for a device?
 
 from sympy import Matrix, Rational, S, eye
 
-from symhaptic.book.lemmas.circulation import damped_contact, outside
 from symhaptic.book.lemmas.decided import SI, decided_by, escapes
+from symhaptic.book.lemmas.held_motion import of_two_samples, settle_by_two_samples
 from symhaptic.book.sources import CLAIMED, STATEMENTS
 from symhaptic.loops.plant import moving_mass
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m, z
+from symhaptic.notation import B, K, T, alpha, beta, m, z
 from symhaptic.notation.proposition import both
-from symhaptic.paper.reading import read
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import add_assum, conj, mp
 from symhaptic.proof.theorems.tactics import counterexample, every, example, for_all, not_all
@@ -28,7 +27,6 @@ SEMI, PLAIN, BOTH, ONE, HELD = (
 )
 POINT = {K: S.One, B: S.Half, T: S.One, m: S.One}
 EDGE = {K: S.Half, B: Rational(19, 10), T: S.One, m: S.One}
-RIGHT = r"K < \frac{2B(2m-BT)}{T(2m+BT)}"
 
 
 def derive(page):
@@ -146,29 +144,16 @@ def _one_mass(page, exact):
 
 def _held(page):
     """The same bound for a device."""
-    claim = CLAIMED[HELD](STATEMENTS[HELD].printed)
-    [right] = read(RIGHT)
-    symbols, given, _ = taken_apart(CLAIMED[HELD]((right,)))
     page.say(
         "A device differs from a simulator in two ways. Its force is held while it moves, and its "
         "velocity is the difference of two samples. Each of them delays the wall by half a period:"
     )
     page.step(
         "The simulator's bound is this many times that of a free mass without delay",
-        (4 * m / T**2 - 2 * B / T) / right.rhs,
+        (4 * m / T**2 - 2 * B / T) / of_two_samples(),
         1 + 2 * m / (B * T),
         because="more than twice for $BT<2m$, and without bound for little damping",
     )
-    wall = {K: S.One, B: S.One, T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero}
-    driven = {alpha: S.One, beta: S.One, gamma: S.Zero, delta: S.Zero, d: S.Zero}
-    page.lemma("The wall $K=B=1$ of $m=T=1$ has a root outside the circle", outside(driven))
-    page.settle(
-        HELD,
-        for_all(symbols, given, add_assum(damped_contact(right), *given)),
-        corrected=[RIGHT],
-        misprint=False,
-        example=example(wall | {K: S.Half}, given),
-        unless=[counterexample(claim, wall, outside(driven))],
-        shows="$m=T=B=1$: $K=1$ is half of what is allowed, and the limit is $\\tfrac23$",
-        note="exact for semi-implicit Euler, and at least twice what a device bears",
+    settle_by_two_samples(
+        page, HELD, "exact for semi-implicit Euler, and at least twice what a device bears"
     )

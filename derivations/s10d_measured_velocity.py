@@ -7,19 +7,17 @@ may it be, and does its limit hold for a difference?
 
 from sympy import Matrix, S, eye
 
-from symhaptic.book.lemmas.circulation import damped_contact, outside
 from symhaptic.book.lemmas.decided import decided_by
+from symhaptic.book.lemmas.held_motion import of_two_samples, settle_by_two_samples, show_motion
 from symhaptic.book.sources import CLAIMED, STATEMENTS
 from symhaptic.loops.plant import moving_mass
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m, t, z
-from symhaptic.paper.reading import read
+from symhaptic.notation import B, K, T, alpha, beta, m, t, z
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
+from symhaptic.proof.theorems.tactics import example, for_all
 from symhaptic.rules.other_loops import MEASURED
 
 KNOWN, TAKEN = "rules:known-velocity", "rules:two-dampings"
-RIGHT = r"K < \frac{2B(2m-BT)}{T(2m+BT)}"
 
 
 def derive(page):
@@ -30,15 +28,7 @@ def derive(page):
         "that is held the state after a time $t$ is $\\Phi(t)$ times the old one and $\\Gamma(t)F$:"
     )
     phi, held = eye(2) + rate * t, push * t + rate * push * t**2 / 2
-    for name, motion, force in ((r"\Phi", phi, 0), (r"\Gamma", held, 1)):
-        for row, letter in enumerate("xv"):
-            for column in range(motion.cols):
-                page.step(
-                    f"$\\{name[1:]}$ obeys Newton's law",
-                    motion[row, column].diff(t),
-                    (rate * motion)[row, column] + force * push[row],
-                    name=rf"\dot{name}_{{{letter}{column + 1}}}",
-                )
+    show_motion(page, mass, (phi, held), "xv", "obeys Newton's law")
     one, moved = phi.subs(t, 1), held.subs(t, 1)
     page.step(
         "With a measured velocity the loop has this polynomial",
@@ -66,29 +56,14 @@ def derive(page):
         "alone reverses the velocity in each period. With the difference of two samples "
         "the limit falls to zero instead:"
     )
-    _difference(page)
-
-
-def _difference(page):
-    claim = CLAIMED[TAKEN](STATEMENTS[TAKEN].printed)
-    [right] = read(RIGHT)
-    symbols, given, _ = taken_apart(CLAIMED[TAKEN]((right,)))
     page.step(
-        "The bound is this many times that for a difference of two samples",
-        (2 * B / T) / right.rhs,
-        (2 * m + B * T) / (2 * m - B * T),
-        because="close to 1 for little damping, and without bound towards $BT=2m$",
+        "The difference from the bound for a difference of two samples",
+        2 * B / T - of_two_samples(),
+        4 * B**2 / (2 * m + B * T),
+        because="little for little damping, and all of it at $BT=2m$",
     )
-    wall = {K: S.One, B: S.One, T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero}
-    driven = {alpha: S.One, beta: S.One, gamma: S.Zero, delta: S.Zero, d: S.Zero}
-    page.lemma("The wall $K=B=1$ of $m=T=1$ has a root outside the circle", outside(driven))
-    page.settle(
+    settle_by_two_samples(
+        page,
         TAKEN,
-        for_all(symbols, given, add_assum(damped_contact(right), *given)),
-        corrected=[RIGHT],
-        misprint=False,
-        example=example(wall | {K: S.Half}, given),
-        unless=[counterexample(claim, wall, outside(driven))],
-        shows="$m=T=B=1$: $K=1$ is half of what is allowed, and the limit is $\\tfrac23$",
-        note="exact for a measured velocity; for a difference it is the tangent at the origin",
+        "exact for a measured velocity; for a difference it is the tangent at the origin",
     )

@@ -9,6 +9,7 @@ from sympy import Matrix, Rational, S, exp, eye
 
 from symhaptic.book.lemmas.circulation import outside
 from symhaptic.book.lemmas.decided import escapes
+from symhaptic.book.lemmas.held_motion import show_motion
 from symhaptic.book.lemmas.lagging_mass import LOOP, below_the_line, exponentials, holds, in_units
 from symhaptic.book.sources import CLAIMED, STATEMENTS
 from symhaptic.loops.actuator import lagging
@@ -46,8 +47,8 @@ def derive(page):
         RULE,
         for_all(symbols, given, add_assum(found, *given)),
         example=example(wall, given, holds(LAGGING, wall)),
-        note="needed, and at the origin enough: the lag counts as the delay. It is not enough "
-        "farther out, and there the same delay costs more than the lag",
+        note="at the origin the condition is necessary and sufficient: the lag counts as a delay. "
+        "Farther from the origin it is only necessary, and the same delay costs more than the lag",
     )
     page.say(
         "Farther from the origin a lag costs less than the same delay. A delay transmits all "
@@ -81,7 +82,6 @@ def _loop(page):
     """The motion in a period under a command that is held, and the loop that it makes."""
     tau = LAG
     device = lagging(moving_mass(), tau)
-    rate, push = Matrix(device.state), Matrix(device.force)
     page.say(
         "In units of mass and period the state is the position, the velocity and the force $u$ of "
         "the actuator, with $\\tau=\\tau_a/T$ and $\\tau\\dot u=F-u$. From a state at the sample, "
@@ -92,15 +92,7 @@ def _loop(page):
     slip = tau * (1 - fall)
     phi = Matrix([[1, t, tau * (t - slip)], [0, 1, slip], [0, 0, fall]])
     held = Matrix([t**2 / 2 - tau * (t - slip), t - slip, 1 - fall])
-    for name, motion, force in ((r"\Phi", phi, 0), (r"\Gamma", held, 1)):
-        for row, letter in enumerate("xvu"):
-            for column in range(motion.cols):
-                page.step(
-                    f"$\\{name[1:]}$ obeys the equations of device and actuator",
-                    motion[row, column].diff(t),
-                    (rate * motion)[row, column] + force * push[row],
-                    name=rf"\dot{name}_{{{letter}{column + 1}}}",
-                )
+    show_motion(page, device, (phi, held), "xvu", "obeys the equations of device and actuator")
     one, moved = phi.subs(t, 1), held.subs(t, 1)
     step = Matrix(4, 4, lambda i, j: one[i, j] if i < 3 and j < 3 else int((i, j) == (3, 0)))
     push = Matrix([*moved, 0]) * Matrix([[alpha + beta, 0, 0, -beta]])

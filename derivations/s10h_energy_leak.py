@@ -39,10 +39,9 @@ def derive(page):
         K * (v * T) ** 2,
         name=r"E_{\text{delay}}",
     )
-    page.step(
-        "Per energy that the damper burns this is the ratio of the rule",
-        K * (v * T) ** 2 / 2 / (b * v**2 * T),
-        K * T / (2 * b),
+    page.say(
+        "The damper burns $bv^2T$ in that time. The spring gives away $KT/(2b)$ of it, the ratio "
+        "of the rule."
     )
     page.say(
         "On the way back the spring gives more than it should, by the same amount. This is a "

@@ -1,8 +1,8 @@
-r"""What moves when a hand holds the device?
+"""What are the mass, damping and stiffness of a device with an arm?
 
-The device is a mass $m_D$ with a damper $b_D$; the arm that holds it is a mass $m_H$ with a
-damper $b_H$ and a spring $k_H$ to the resting posture.  Which single mass, damper and spring
-stand for both, and what is left when nothing is assumed of the arm?
+The device is a mass $m_D$ with a damper $b_D$; the arm that holds it is a mass $m_H$ with a damper
+$b_H$ and a spring $k_H$ to the resting posture. Which single mass, damper and spring replace both,
+and which model remains if nothing is assumed about the arm?
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -13,9 +13,9 @@ def derive(page):
     device = Plant(m_D, b_D, None).characteristic
     arm = Plant(m_H, b_H, k_H).characteristic
     page.say(
-        "A firm grip couples both rigidly: they share the position, and the force between them "
-        "acts on one as much as against the other. Adding Newton's law for both, that force "
-        "drops out, so the force needed per position adds up."
+        "A firm grip couples both rigidly. They share the position, and the force between them "
+        "acts on both with opposite signs. It cancels in the sum of both equations of motion, so "
+        "that masses, dampings and stiffnesses add up."
     )
     both = page.step(
         "Two bodies with one position have one mass, one damper and one spring",
@@ -35,12 +35,12 @@ def derive(page):
     page.settle(
         "eq3", Eq(m, mass), Eq(b, damping), Eq(k, stiffness, evaluate=False), definition=True
     )
-    page.say("Nothing is lost by this, as long as that force is free to be anything:")
+    page.say("This loses no generality if the external force is arbitrary:")
     page.step(
         "The arm's forces can be counted as external",
         both * x - F_E,
         device * x - (F_E - arm * x),
-        because="zero for the motion of both; the last bracket is the force on the device alone",
+        because="zero for the common motion; the last bracket is the force on the device alone",
     )
     _settle(page)
 

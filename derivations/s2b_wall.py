@@ -1,7 +1,7 @@
-r"""What does the virtual wall push back with?
+"""Which force does the virtual wall return?
 
-Once per period $T$ the wall reads the position and answers with the force of a spring $K$ and
-of a damper $B$, whose velocity is the difference of the last two positions.
+Once per period $T$ the wall reads the position. It returns the force of a spring $K$ and a damper
+$B$; the velocity is the difference of the last two positions over $T$.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -13,7 +13,7 @@ def derive(page):
     H = function("H")
     law = wall.transfer()
     page.define(
-        "Once per period the wall pulls by position and speed",
+        "The wall force from the last two samples",
         "H(z)",
         law,
         because="a period earlier is a factor $1/z$, so $x_k-x_{k-1}$ becomes $(1-1/z)\\,x$",
@@ -31,6 +31,6 @@ def derive(page):
         law.subs(z, 1),
         K,
         name="H(1)",
-        because="a constant position meets the spring only; this number decides more than it seems",
+        because=r"at a constant position only the spring acts; passivity needs $H(1)\ge0$ later",
     )
     page.settle("eq1", Eq(H(z), form), definition=True)

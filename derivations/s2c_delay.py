@@ -1,8 +1,8 @@
-r"""What does a delay do to the loop, and must it be a whole number of periods?
+"""What does a delay do to the loop, and must it be an integer number of periods?
 
-Delays arise when the position is read, when the force is computed and when the motor answers.
-We ask whether only their sum matters, and whether a delay that is no multiple of the sampling
-period can be treated like one that is.
+Reading the position, computing the force and driving the motor each cause a delay. We ask whether
+only their sum matters, and whether $z^{-d}$ is right for a delay that is not a multiple of the
+sampling period.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -17,8 +17,8 @@ from symhaptic.proof.theorems.roots import degree
 def derive(page):
     P, H = function("P")(z), function("H")(z)
     page.say(
-        "Let $P(z)$ be the sampled device. The wall sees the position $d_1$ periods late and its "
-        "force reaches the device another $d_2$ periods late."
+        "Let $P(z)$ be the sampled device. The wall receives the position with a delay of $d_1$ "
+        "periods, and its force reaches the device with a further delay of $d_2$ periods."
     )
     loop = P / (1 + P * z ** (-d_2) * H * z ** (-d_1))
     page.step(
@@ -29,32 +29,33 @@ def derive(page):
     )
     page.say(
         "Delays between hold and sampler commute with the device itself, so this holds for every "
-        "real delay there. The denominator, and with it the characteristic polynomial, knows the "
-        "sum only. A delay "
-        "on the way of the external force would enter the numerator alone."
+        "real delay there. The denominator, and with it the characteristic polynomial, depends "
+        "on the sum only. A delay of the external force would enter the numerator alone."
     )
     claim = page.claim("s2c-delays-lump")
     page.lemma(
         "Delays before the device, behind it and of the computation act as their sum",
         lumped(claim),
-        because="a force that comes whole periods late is $z^{-\\ell}$ times the force, and there "
-        "is one answer to it",
+        because=r"a force that is delayed by an integer number of periods is $z^{-\ell}$ times the "
+        "force, and the response to it is unique",
     )
     point = FREE | {d: S(2), d_1: S.Half, d_2: S.Half, l: S.One, z: S(4)}
     page.settle(
         "s2c-delays-lump",
         lumped(claim),
         example=shown_at(claim, point),
-        note="the delays of device and sensor need not be whole; those of the computation are",
+        note="the delays of device and sensor may be fractional; those of the computation are "
+        "integers",
     )
     _not_negative(page)
     page.say(
-        "Now the free mass, $\\gamma=\\delta=0$, in units of $m$ and $T$. A unit force is held for "
-        "one period but arrives $d<1$ periods late; where is the mass when it is sampled next?"
+        r"Now the free mass, $\gamma=\delta=0$, in units of $m$ and $T$. A unit force is held for "
+        "one period and arrives with a delay of $d<1$ periods. Where is the mass at the next "
+        "sample?"
     )
     free = normalised(Parts(stiffness=False, damping=False))
     late = page.step(
-        "A force that is late by less than a period already shows at the next sample",
+        "A force that is delayed by less than a period changes the next sample",
         free.held(1 - d)[0],
         (1 - d) ** 2 / 2,
         name="x_1",
@@ -62,24 +63,24 @@ def derive(page):
     )
     undelayed = sampled(free)
     page.step(
-        "A delay of whole periods changes none of the samples",
+        "An integer delay changes none of the samples",
         late.subs(d, 0),
         undelayed.n1,
         name="x_1|_{d=0}",
-        because="a delay of whole periods shifts the samples and changes none of them",
+        because="an integer delay shifts the samples and changes none of them",
     )
     page.say(
-        "Writing $z^{-d}$ in front of $P(z)$ places the whole response between the samples: at "
-        "the next sample it predicts no motion at all. For $d=\\tfrac12$ the mass has moved by "
-        "$\\tfrac18$. So $z^{-d}$ is exact for whole delays only. For other delays the "
-        "substitution $z=w^q$ makes a polynomial, as the paper says, and it is an approximation, "
-        "as the paper says, too: $P(w^q)$ is not the device sampled $q$ times as often but $q$ "
-        "copies of the slow device, coupled by the delay."
+        r"The model $z^{-d}P(z)$ predicts no motion at the next sample. For $d=\tfrac12$ the mass "
+        r"has moved by $\tfrac18$. So $z^{-d}$ is exact for integer delays only. For other delays "
+        "the substitution $z=w^q$ gives a polynomial and is an approximation, as the paper says: "
+        "$P(w^q)$ is not the device sampled $q$ times as often but $q$ copies of the slow "
+        "device, coupled by the delay."
     )
     page.lemma(
-        "For whole delays $z^{-d}$ is exact, for every device",
+        "For integer delays $z^{-d}$ is exact, for every device",
         late_answer(),
-        because="a force that comes whole periods late is $z^{-d}$ times the force",
+        because="a force that is delayed by an integer number of periods is $z^{-d}$ times the "
+        "force",
     )
     _rational(page)
 
@@ -93,7 +94,7 @@ def _rational(page):
     open_ = found.hypotheses.difference(given)
     steps = [is_whole(h.of[0], *known) if isinstance(h, Predicate) else fact(h) for h in open_]
     found = page.lemma(
-        "With $z=w^{q+1}$ the polynomial of the loop has whole exponents", closed(found, *steps)
+        "With $z=w^{q+1}$ the polynomial of the loop has integer exponents", closed(found, *steps)
     )
     late = FREE | {d: S.Half, z: S(4)}
     values, answers = completed(every(some.over, some.body.of[:-1], TRUE), late)
@@ -103,9 +104,9 @@ def _rational(page):
     page.settle(
         "s2c-rational-delay",
         conj(for_all(symbols, given, found), exists(apart, some, values)),
-        note="half a period late, a free mass answers $z=4$ by $\\tfrac{41}{288}$ and not by "
-        "$\\tfrac12\\cdot\\tfrac5{18}$; the exact form for fractional delays is the modified "
-        "z-transform (fractional-polynomial)",
+        note="with a delay of half a period, the response of a free mass at $z=4$ is "
+        r"$\tfrac{41}{288}$ and not $\tfrac12\cdot\tfrac5{18}$; the exact form for fractional "
+        "delays is the modified z-transform (fractional-polynomial)",
     )
 
 

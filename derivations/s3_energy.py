@@ -1,8 +1,8 @@
-r"""When can no motion extract energy from a sampled wall?
+"""When can no motion extract energy from a sampled wall?
 
-A device with damping $b$ is moved at will while a wall $H(z)$, evaluated every $T$, pushes with
-a force that is held in between.  The hand gains energy if the wall gives more than the damper
-burns.  Which inequality forbids this, and is it the whole truth?
+A device with damping $b$ is moved at will while a wall $H(z)$, evaluated every $T$, pushes with a
+force that is held in between. The user gains energy if the wall delivers more than the damper
+dissipates. Which inequality excludes this, and is it sufficient?
 """
 
 from sympy import re
@@ -19,21 +19,21 @@ from symhaptic.proof.theorems.energy import toeplitz
 def derive(page):
     H = function("H")
     page.say(
-        "Only the displacement $p_k$ over a period counts for the wall: its force is constant, so "
-        "it works $F_kp_k$. The damper burns the integral of $bv^2$, and for a given "
-        "displacement it burns least at constant speed:"
+        "The wall force is constant over a period, so that its work $F_kp_k$ depends on the "
+        "displacement $p_k$ only. The damper dissipates the integral of $bv^2$. For a given "
+        "displacement this is smallest at constant speed:"
     )
     page.step(
-        "A damper burns least at constant speed",
+        "A damper dissipates least at constant speed",
         v**2,
         (v - p_k / T) ** 2 + 2 * v * p_k / T - p_k**2 / T**2,
         because="integrated over a period, the last two terms give $p_k^2/T$, and the square "
         "gives nothing only if the speed is constant",
     )
     page.say(
-        "The kinetic energy of the mass is paid back when the motion ends at rest: the mass does "
-        "not enter. Summed over all periods and written with the spectrum of $p_k$, where the "
-        "position is $x=p/(z-1)$, energy per squared displacement is $b/T+\\Re\\{H/(z-1)\\}$."
+        "A motion that ends at rest returns the kinetic energy, so that the mass does not "
+        "matter. The position has the spectrum $x=p/(z-1)$. The sum over all periods gives the "
+        r"energy per squared displacement, $b/T+\Re\{H/(z-1)\}$."
     )
     page.step(
         "On the unit circle $1/(z-1)$ has this value",
@@ -46,21 +46,21 @@ def derive(page):
     needed = passivity.required_damping(H(z), angle)
     printed = re((1 - exp(-I * angle)) * H(exp(I * angle)), evaluate=False)
     page.step(
-        "At every angle the damper must exceed what the wall gives",
+        "At every angle the damper must dissipate more than the wall delivers",
         needed,
         T / 2 / (1 - cos(angle)) * printed,
         name=r"b_{\min}(\omega)",
         boxed=True,
         paper="4",
-        because="a motion whose spectrum is concentrated near an angle where this fails gains "
+        because="where this fails, a motion whose spectrum is concentrated near that angle gains "
         "energy",
     )
     page.say(
-        "At $\\theta=0$, outside the open interval, $1/(z-1)$ has a pole, and there the sum has a "
-        "second term. For the spring alone, $F_k=Kx_k$, the work adds up to the energy stored:"
+        r"At $\theta=0$, outside the open interval, $1/(z-1)$ has a pole, and there the sum has a "
+        "second term. For the spring alone, $F_k=Kx_k$, the work equals the stored energy:"
     )
     page.step(
-        "The work against a spring telescopes to what it stores",
+        "The work against a spring equals its stored energy",
         x * p_k,
         ((x + p_k) ** 2 - x**2 - p_k**2) / 2,
         because="with $x_{k+1}=x_k+p_k$ the first two terms telescope to $x_N^2/2$",
@@ -75,11 +75,11 @@ def derive(page):
         because="$x_k=kp$, so the spring takes $K(0+1+2+3)p^2$",
     )
     page.say(
-        "The stored energy $\\tfrac12H(1)x_N^2$ is returned or not as the hand pleases, but where "
-        "$H(1)<0$ it is negative and grows with the square of the distance, while damping grows "
-        "with the distance only. No inequality at $\\theta>0$ sees this: $H(1)\\ge0$ is needed as "
-        "well. Both together suffice. (At equality no energy is gained either: the strict sign "
-        "asks for slightly more than passivity.)"
+        r"For $H(1)<0$ the stored energy $\tfrac12H(1)x_N^2$ is negative and grows with the "
+        "square of the distance, while the dissipated energy grows with the distance only. No "
+        r"inequality at $\theta>0$ excludes this, so that $H(1)\ge0$ is necessary as well. Both "
+        "conditions together are sufficient. (At equality no energy is gained either: the strict "
+        "sign is slightly stronger than passivity.)"
     )
     _settle(page, b > needed)
 
@@ -95,19 +95,19 @@ def _settle(page, condition):
         "$H(1)=h_0+h_1+h_2$ is its stiffness."
     )
     page.lemma(
-        "From a wall $(h_0+h_1/z+h_2/z^2)z^{-d}$ no motion gains energy if and only if it does not "
-        "pull and (4) holds at each angle, with $\\ge$ in place of $>$",
+        "From a wall $(h_0+h_1/z+h_2/z^2)z^{-d}$ no motion gains energy if and only if it has "
+        r"$H(1)\ge0$ and meets (4) at each angle, with $\ge$ in place of $>$",
         exactly(),
-        because="(4) is sufficient, as the paper says, and needed but for equality",
+        because="(4) is sufficient, as the paper says, and necessary except for equality",
     )
     pulls = [S.One], [S.Half, square(1 + 2 * cos(omega))]
     soft = dict(zip(TAPS, (S.One, S.Zero, S.Zero), strict=True)) | {b: S.One, T: S.One, d: S.Zero}
     pulled = soft | dict.fromkeys(TAPS, -S.One)
     page.lemma(
-        "A wall $(h_0+h_1/z+h_2/z^2)z^{-d}$ that meets (4) and does not pull gives no energy away",
+        r"A wall $(h_0+h_1/z+h_2/z^2)z^{-d}$ that meets (4) and has $H(1)\ge0$ delivers no energy",
         theorem,
         because="the energy of a motion is the integral of the margin over the spectrum of its "
-        "displacements, and what is stored at the end",
+        "displacements, and the energy stored at the end",
         boxed=True,
     )
     page.settle(
@@ -116,11 +116,11 @@ def _settle(page, condition):
         condition,
         example=(soft, holds(given[-1], soft, [S.Half])),
         unless={PUSHES: (pulled, holds(given[-1], pulled, *pulls), gives_energy())},
-        note="of walls with three taps, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$ with a whole $d$, as (1) is; "
-        "no other $H$ is settled. At equality no motion gains energy either, so that (4) is "
-        "sufficient, and necessary but for equality",
-        shows="a wall of three taps, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$, may pull: $H=-(1+1/z+1/z^2)$ "
-        "satisfies (4) for every damper, and gives energy away",
+        note="for walls with three coefficients, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$ with an integer "
+        "$d$, as (1) is; other $H$ are not decided. At equality no motion gains energy "
+        "either, so that (4) is sufficient, and necessary except for equality",
+        shows="a wall with three coefficients, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$, may have $H(1)<0$: "
+        "$H=-(1+1/z+1/z^2)$ satisfies (4) for every damper, and delivers energy",
     )
 
 
@@ -138,7 +138,7 @@ def by_angle() -> Theorem:
 
 
 def exactly() -> Theorem:
-    """The same for T > 0 and a whole delay."""
+    """The same for T > 0 and an integer delay."""
     return closed(by_angle(), *apart(), *_WHOLE)
 
 
@@ -169,7 +169,7 @@ def holds(frequencies: Any, point: Mapping[Any, Any], *margin: Any) -> Theorem:
 
 
 def gives_energy() -> Theorem:
-    """-(1 + 1/z + 1/z^2) gives energy away beside the damper b/T = 1."""
+    """-(1 + 1/z + 1/z^2) delivers energy beside the damper b/T = 1."""
     energy = toeplitz(ANSWER.subs(dict.fromkeys(TAPS, -1) | {d: 0}), z, S.One, theta)
     static, _ = energy.conclusion.of[1].of
     negative = denied(combined(Relation(S(-3), "<", S.Zero), [3]), static)

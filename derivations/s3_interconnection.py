@@ -1,7 +1,7 @@
-r"""Is everything that is made of passive parts passive and stable?
+"""Is a connection of passive systems passive and stable?
 
-Passivity is used because it survives when systems are connected. We ask which connections these
-are, and what stability it is that follows.
+Passivity is used because it survives when systems are connected. We ask which connections preserve
+it, and which kind of stability follows.
 """
 
 from symhaptic.book.lemmas.connections import (
@@ -22,23 +22,23 @@ from symhaptic.paper.propositions.systems import FREQUENCY, KIND, R_1, R_2, X_1,
 
 def derive(page):
     page.say(
-        "Let a system with the speed $v$ and the force $F$ never give back more than it took in: "
-        "it stores at most the integral of $Fv$. Two systems are held against each other, so that "
-        "the second one pushes back with $F_2$ on the first:"
+        "Let a system with the speed $v$ and the force $F$ never deliver more energy than it "
+        "received: it stores at most the integral of $Fv$. Two systems are coupled, so that the "
+        "second one acts on the first with the force $F_2$:"
     )
     pushed = symbols("F_2")
     face = page.step(
-        "Two bodies face to face take in what comes from outside",
+        "Two coupled systems receive only what comes from outside",
         (F - pushed) * v + pushed * v,
         F * v,
-        because="what both take in is what comes from outside; with both stores added, the whole "
-        "is passive",
+        because="together they receive what comes from outside; the sum of both stored energies "
+        "shows that the whole is passive",
     )
     page.same("parallel and feedback", face, (F - pushed) * v + pushed * v)
     page.say(
-        "This needs that the two share one quantity and exchange the other. A chain, in which the "
-        "output of one system is the input of the next, does not. Take a lag, $1/(s+1)$, in units "
-        "of its time:"
+        "This requires that the two share one quantity and exchange the other. A chain, in which "
+        "the output of one system is the input of the next, is different. Take a lag $1/(s+1)$, "
+        "in units of its time constant:"
     )
     lag = 1 / (1 + I * omega)
     page.step(
@@ -56,11 +56,12 @@ def derive(page):
         because="negative for $\\omega>1$: the chain is not passive",
     )
     page.step(
-        "Three lags and a gain of 27 in a loop grow without end",
+        "A loop of three lags with a gain of 27 is unstable",
         (s + 1) ** 3 + 27,
         (s + 4) * ((s - S.Half) ** 2 + S(27) / 4),
-        because="the closed loop has poles at $\\frac12\\pm\\frac{3\\sqrt3}2j$ and grows like "
-        "$e^{t/2}$, though gain and lags are passive, each on its own",
+        because=r"the closed loop has poles at $\frac12\pm\frac{3\sqrt3}2j$ and grows like "
+        r"$e^{t/2}$, "
+        "although the gain and each lag are passive",
     )
     page.say("Nor is a passive system stable in the sense that it comes to rest:")
     page.step(
@@ -68,14 +69,14 @@ def derive(page):
         Plant(m, None, None).transition(t)[0, 1],
         t,
         name=r"x/v_0",
-        because="it takes in energy only when pushed, and drifts for ever",
+        because="it receives energy only from the push, and drifts for ever",
     )
     page.say(
-        "Of two linear systems let $Z_1=R_1+jX_1$ and $Z_2=R_2+jX_2$ be the answers to a sine. "
-        "They are passive if $0\\le R$ at every frequency."
+        "Let $Z_1=R_1+jX_1$ and $Z_2=R_2+jX_2$ be the frequency responses of two linear systems. "
+        r"They are passive if $R\ge0$ at every frequency."
     )
     page.lemma(
-        "Side by side and fed back to each other passive systems are passive",
+        "Passive systems in parallel and in feedback are passive",
         for_all([*FREQUENCY, KIND], [R_1 >= 0, R_2 >= 0], conj(parallel(), fed_back())),
         because="$\\Re\\frac{Z_1}{1+Z_1Z_2}=(R_1+|Z_1|^2R_2)/|1+Z_1Z_2|^2$",
         boxed=True,
@@ -86,11 +87,11 @@ def derive(page):
 def _settle(page):
     then = taken_apart(page.claim("s3-interconnection"))[2]
     stable = page.lemma(
-        "A passive wall brings every damped device to rest, behind every delay, if it or a spring "
-        "holds the mass",
+        "With every delay a passive wall stabilises every damped device, if the wall or a spring "
+        "has stiffness",
         passive_wall_is_stable(),
-        because="a delay is some whole periods and a fraction of one, as in "
-        "\\chapter{s6e_fractional_passive_is_stable}",
+        because="a delay is an integer number of periods and a fraction of one, as in "
+        r"\chapter{s6e_fractional_passive_is_stable}",
     )
     wall = dict.fromkeys((beta, gamma, d), S.Zero) | {alpha: S.One, delta: S.One}
     lags = dict.fromkeys((R_1, R_2), Rational(1, 5)) | dict.fromkeys((X_1, X_2), -Rational(2, 5))
@@ -111,10 +112,11 @@ def _settle(page):
             HELD: fails(drift, stays_on_circle(drift, S.Zero)),
             DAMPED_DEVICE: fails(swing, stays_on_circle(swing, pi / 2)),
         },
-        shows=r"two lags in a chain are not passive, a passive wall without stiffness lets a "
-        "free mass drift, and without a damper a spring swings for ever",
-        note="right in parallel and in feedback, of linear systems at each frequency; stable is "
-        "said of the paper's loop, with a damper, and held by a spring or the wall",
+        shows="two lags in a chain are not passive, with a passive wall without stiffness a free "
+        "mass drifts, and without a damper a spring oscillates for ever",
+        note="true for parallel and feedback connections of linear systems, at each frequency; "
+        "stability holds for the paper's loop with a damper, if a spring or the wall has "
+        "stiffness",
     )
 
 

@@ -1,8 +1,8 @@
-r"""Does the condition also hold for a wall that only pushes?
+"""Does the condition also hold for a wall that only pushes?
 
-A real virtual wall pushes the hand out and never pulls it in: its force is cut off where there is
-no contact. The paper takes from its first reference that the passivity condition stays the same.
-We check how much of that follows from a simple bound.
+A real virtual wall only pushes: its force is zero without contact. The paper cites its first
+reference for the claim that the passivity condition stays the same. We check how much of that
+follows from a simple bound.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -10,12 +10,12 @@ from symhaptic.book.lemmas.prelude import *
 
 def derive(page):
     page.say(
-        "Let the spring force $f(x)$ rise with $x$, with a slope between 0 and $K$, as that of a "
-        "cut-off spring does; $U$ is its energy. Over one step $U$ grows by at most the force at "
-        "the start times the step, plus what the slope adds:"
+        "Let the spring force $f(x)$ have a slope between 0 and $K$, as that of a unilateral "
+        "spring; $U$ is its energy. Over one step $U$ grows by at most the initial force times "
+        "the step, plus a term from the slope:"
     )
     page.step(
-        "A spring of full slope gains most",
+        "A spring of constant slope $K$ gains most",
         K * (x + p_k) ** 2 / 2 - K * x**2 / 2,
         K * x * p_k + K * p_k**2 / 2,
         name=r"U(x+p)-U(x)",
@@ -29,16 +29,15 @@ def derive(page):
         because="so $|p_kq|\\le\\tfrac12(p_k^2+q^2)$ for the steps that lie within the delay",
     )
     page.say(
-        "A delay of $d$ whole periods lags behind by $d$ steps of slope at most $K$, a damper by "
-        "one "
-        "step more, so that the wall gives at most $(K(d+\\tfrac12)+|B|/T)\\sum p_k^2$. "
-        "Therefore $b\\ge KT(d+\\tfrac12)+|B|$ is enough for a wall that only pushes. Without "
-        "delay this is (6) itself; with delay it is (9) for $-b\\le B\\le0$. For positive damping "
-        "with delay it is stricter than (5), and whether (5) alone is enough rests on the "
-        "reference."
+        "With an integer delay of $d$ periods the spring force differs by $d$ steps of slope at "
+        "most $K$, and the damper force by one more. So the wall delivers at most "
+        r"$(K(d+\tfrac12)+|B|/T)\sum p_k^2$. Therefore $b\ge KT(d+\tfrac12)+|B|$ is sufficient "
+        "for a wall that only pushes. Without delay this is (6) itself; with delay it is (9) for "
+        r"$-b\le B\le0$. For positive damping with delay it is stricter than (5), and for (5) "
+        "alone we rely on the reference."
     )
     page.settle_external(
         "s3-unilateral",
         "the proof for general $B$ and $d$ stands in the paper's reference [1]",
-        checked=r"shown for $d=0$, and for whole $d$ with $-b\le B\le0$",
+        checked=r"shown for $d=0$, and for integer $d$ with $-b\le B\le0$",
     )

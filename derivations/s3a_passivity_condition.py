@@ -1,8 +1,8 @@
-r"""When is a delayed virtual wall passive?
+"""When is a delayed virtual wall passive?
 
 A wall of stiffness $K$ and damping $B$, rendered with period $T$ and a delay of $d$ periods, is
-coupled to a device whose only loss is its damping $b$. We ask for which $(K,B)$ no motion of
-the device can extract energy.
+coupled to a device that dissipates energy only by its damping $b$. We ask for which $(K,B)$ no
+motion of the device can extract energy.
 """
 
 from symhaptic.book.lemmas.chords import not_zero
@@ -17,32 +17,32 @@ from symhaptic.paper.propositions.passivity import FIVE, at_every_frequency
 
 
 def derive(page):
-    response = page.define("The wall acts $d$ periods late", r"H(z)\,z^{-d}", wall.delayed())
+    response = page.define("The wall with a delay of $d$ periods", r"H(z)\,z^{-d}", wall.delayed())
     need = passivity.required_damping(response)
     brackets = (
         K * T * (cos(d * theta) - cos((d + 1) * theta))
         + B * (cos(d * theta) - 2 * cos((d + 1) * theta) + cos((d + 2) * theta))
     ) / (2 - 2 * cos(theta))
     page.step(
-        "Of the wall's force only a real part counts",
+        "Only a real part of the wall's response matters",
         need,
         brackets,
         paper="5",
         name=r"\frac{T}{2}\,\frac{\Re\{(1-1/z)H(z)z^{-d}\}}{1-\cos\theta}\Big|_{z=e^{j\theta}}",
-        because="the wall put into the energy balance, with $\\theta=\\omega T$",
+        because=r"the wall inserted into the energy balance, with $\theta=\omega T$",
     )
     page.step(
-        "The stiffness counts with Dirichlet's kernel",
+        "The coefficient of the stiffness is Dirichlet's kernel",
         cos(d * theta) - cos((d + 1) * theta),
         2 * sin(theta / 2) * sin((d + Rational(1, 2)) * theta),
     )
     page.step(
-        "The damping counts with one cosine",
+        "The coefficient of the damping is a cosine",
         cos(d * theta) - 2 * cos((d + 1) * theta) + cos((d + 2) * theta),
         -(2 - 2 * cos(theta)) * cos((d + 1) * theta),
     )
     page.step(
-        r"The damper must exceed what (5) says, for every real $d$ and every $0<\theta<\pi$",
+        r"The required damping is that of (5), for every real $d$ and every $0<\theta<\pi$",
         need,
         passivity.dirichlet_form(),
         name=r"b_{\min}(\theta)",
@@ -51,21 +51,22 @@ def derive(page):
         "out",
     )
     page.lemma(
-        "A wall is passive behind a whole delay if and only if it does not pull and the damper "
-        "burns enough at each angle",
+        r"With an integer delay a wall is passive if and only if $K\ge0$ and the damper "
+        "dissipates enough at each angle",
         passive_by_angle(),
         because="the energy of a motion is the integral of the margin over the spectrum of its "
-        "displacements, and what the spring stores at the end",
+        "displacements, and the energy stored in the spring at the end",
         boxed=True,
     )
     _mass(page)
     page.say(
-        "A spring that pulls, $K=-1$ without delay, meets (5) while four equal steps gain 2. Half "
-        "a period late, where $z^{-d}$ is not what happens, let the device move by $\\tfrac32$ in "
-        "the first half of each period, by 1 in the second, and back after 30 periods."
+        "A spring of negative stiffness, $K=-1$ without delay, meets (5), but four equal steps "
+        "gain the energy 2. With a delay of half a period, where $z^{-d}$ is not exact, let the "
+        r"device move by $\tfrac32$ in the first half of each period, by 1 in the second, and "
+        "back after 30 periods."
     )
     page.step(
-        "The motion leaves damper and wall this energy",
+        "Damper and wall receive this energy from the motion",
         passivity.half_late_energy(Rational(3, 2), S.One, 30),
         390 * b / T + 345 * B / T - 1605 * K / 4,
         name="E",
@@ -76,25 +77,26 @@ def derive(page):
 
 def _mass(page):
     """A mass stores what is not negative, and nothing at rest: no two masses differ."""
-    why = "its energy is paid back when the motion ends at rest, and is not negative otherwise"
-    page.lemma("A mass does not matter to passivity", of_mass(x), because=why)
+    why = "a motion that ends at rest returns its energy, which is otherwise not negative"
+    page.lemma("Passivity does not depend on the mass", of_mass(x), because=why)
     theorem = no_mass_differs(x, y)
     point = {x: S.One, y: S(2), K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero}
     page.settle("s3a-mass-free", theorem, example=point)
 
 
 def _settle(page, printed):
-    """(5) decides for whole delays and walls that do not pull, but on the border."""
+    """(5) decides for integer delays and walls that do not pull, but on the border."""
     claim = CLAIMED["eq5"]((printed,))
     same = taken_apart(claim)[2]
     frequencies, passive = same.of
     extra = [whole(d), K >= 0, off_border()]
     enough = follows(passive_by_angle(), assume(K >= 0), margins(frequencies))
-    page.lemma("Who meets (5) behind a whole delay and does not pull is passive", enough)
+    page.lemma(r"With an integer delay a wall with $K\ge0$ that meets (5) is passive", enough)
     needed = page.lemma(
-        "Who is passive behind a whole delay meets (5), but for walls that just meet it",
+        "With an integer delay every passive wall meets (5), except for equality",
         frequencies_met(frequencies),
-        because="the energy of a motion near one frequency is that of the margin there",
+        because="the energy of a motion near one frequency is given by the margin at this "
+        "frequency",
     )
     both = either_way(enough, needed, frequencies, passive)
 
@@ -120,10 +122,11 @@ def _settle(page, printed):
             K >= 0: (pulled, *(gaining(claim, pulled, light, STEPS), apart(light))),
             off_border(): (border, *on_the_border(claim, border)),
         },
-        shows=r"half a period late, (5) holds at every frequency, yet a motion extracts $147/20$",
-        note="right as a rewriting of (4) with $z^{-d}$ for every real $d$; for a fractional delay "
-        "of the held force it allows walls that are not passive, and forbids some that are. At "
-        "equality no motion gains energy either: with $\\ge$ the last condition is not needed",
+        shows="with a delay of half a period, (5) holds at every frequency, yet a motion extracts "
+        "$147/20$",
+        note="equivalent to (4) with $z^{-d}$ for every real $d$. For a fractional delay of the "
+        "held force it allows walls that are not passive, and excludes some that are. At "
+        r"equality no motion gains energy either: with $\ge$ the last condition is not needed",
     )
 
 

@@ -1,8 +1,8 @@
-r"""What is left of the passivity condition without delay?
+"""What is the passivity condition without delay?
 
-Without delay the kernel of the condition is a constant, and one cosine is left. The paper sums the
-condition up for all frequencies at once; on the border, and for walls that pull, the summary says
-something else.
+Without delay the kernel of the condition is constant, and one cosine remains. The paper replaces
+the condition at all frequencies by one inequality (6). We compare the two for equality and for
+negative stiffness.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -25,13 +25,13 @@ from symhaptic.paper.propositions.passivity import SIX, UNDELAYED
 
 def derive(page):
     undelayed = page.step(
-        "Without delay the kernel is a half",
+        r"Without delay the kernel is $\frac12$",
         passivity.dirichlet_form().subs(d, 0),
         K * T / 2 - B * cos(theta),
         name=r"\left.\text{need}\right|_{d=0}",
     )
     page.step(
-        "For $B\\ge0$ no angle needs more than the border",
+        r"For $B\ge0$ the required damping is at most $\frac{KT}2+B$",
         K * T / 2 + B - undelayed,
         2 * B * cos(theta / 2) ** 2,
         name=r"\tfrac{KT}{2}+B-\text{need}",
@@ -39,17 +39,17 @@ def derive(page):
     )
     form, same = taken_apart(page.claim("s3a-undelayed"))[2].of
     frequencies = same.of[0]
-    sufficient = page.lemma("The summary (6) is enough at every frequency", enough(frequencies))
+    sufficient = page.lemma("(6) implies (5) at every frequency", enough(frequencies))
     needed = page.lemma(
-        "What holds at every frequency holds weakly on the border",
+        r"(5) at every frequency implies (6) with $\ge$",
         weakly_needed(frequencies),
-        because="the cosine comes as close to 1 and to $-1$ as one likes, and reaches neither",
+        because="the cosine comes arbitrarily close to 1 and to $-1$, and reaches neither",
     )
     page.say(
-        "So $KT/2+|B|$ is the least upper bound over the open interval, and for $B\\ne0$ it is "
-        "not attained: a wall with $b$ exactly there still satisfies (5) at every frequency. The "
-        "strict sign of (6) excludes it; with $\\ge$ in place of $>$ both would agree. And a "
-        "negative $K$ satisfies either one without being passive."
+        r"So $KT/2+|B|$ is the least upper bound over the open interval, and for $B\ne0$ it is "
+        "not attained: a wall with equality still satisfies (5) at every frequency. The strict "
+        r"sign of (6) excludes it; with $\ge$ in place of $>$ both agree. A negative $K$ can "
+        "satisfy both conditions, but is not passive."
     )
     agree = off_the_border(frequencies, sufficient, needed)
     border = {K: S.One, B: S.One, b: Rational(3, 2), T: S.One}
@@ -74,14 +74,15 @@ def derive(page):
         example=(easy, off),
         unless={OFF_BORDER: (border, sides, broken(And((form, same))))},
         shows=r"(5) holds at every frequency, (6) says $\tfrac32>\tfrac32$",
-        note="the form for $d=0$ is right for all values; its summary (6) needs the condition",
+        note="the form for $d=0$ is right for all values; (6) needs the condition",
     )
     both = taken_apart(page.claim("eq6"))[2]
-    page.lemma("The summary makes a wall passive that does not pull", passive())
+    page.lemma(r"A wall with $K\ge0$ that meets (6) is passive", passive())
     deciding = page.lemma(
-        "The summary is what passive walls without delay meet, but for those on the border",
+        "Without delay every passive wall meets (6), except for equality",
         decides(),
-        because="what holds at every angle holds weakly of its limits at $0$ and $\\pi$",
+        because=r"a strict inequality at every angle holds with $\ge$ in the limits at $0$ and "
+        r"$\pi$",
     )
     off = closed(agree, either(OFF_BORDER, assume(APART)))
     pulled = {K: -S.One, B: S.Zero, b: S.One, T: S.One}
@@ -96,7 +97,8 @@ def derive(page):
         example=easy,
         unless={K >= 0: (pulled, runs), APART: (border, broken(both))},
         shows="a spring with $K=-1$ meets (6), but four unit steps gain 2",
-        note="with $\\ge$ it is the passive walls with $K\\ge0$, those on the border as well",
+        note=r"with $\ge$ it describes the passive walls with $K\ge0$, including those with "
+        "equality",
     )
     upper_part(page)
 

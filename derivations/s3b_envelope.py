@@ -1,7 +1,7 @@
-r"""Which walls are just passive at a given frequency?
+"""Which walls are on the border of passivity at a given frequency?
 
 At one frequency the condition is a half plane in the $(K,B)$ plane, bounded by a line. As the
-frequency changes the line turns and shifts, and its neighbours cut off a curve: the envelope.
+frequency changes the line rotates and shifts, and all lines together have an envelope.
 """
 
 from symhaptic.book.figures.arguments import lines_of_angles
@@ -12,7 +12,9 @@ from symhaptic.paper.propositions.passivity import scaled
 
 
 def derive(page):
-    line = page.define("At one angle the border is a line", r"F(\theta)", passivity.margin())
+    line = page.define(
+        "At one angle the condition is bounded by a line", r"F(\theta)", passivity.margin()
+    )
     stiffness, damping = passivity.envelope()
     page.say(
         "Two neighbouring lines meet where both $F$ and $\\partial F/\\partial\\theta$ vanish: two "
@@ -47,8 +49,9 @@ def derive(page):
     )
     page.figure(
         "lines_of_angles",
-        "One line for each angle, behind one period of delay: a wall on the wrong side of any of "
-        "them is not passive. What all lines leave is the passive region, which they envelop.",
+        "One line for each angle, with one period of delay: a wall on the wrong side of any of "
+        "them is not passive. The passive region is on the right side of all lines, which "
+        "envelop it.",
         lines_of_angles,
     )
     page.say(

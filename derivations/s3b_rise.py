@@ -1,9 +1,9 @@
 r"""Is the envelope the boundary of the passive walls?
 
-Of the frequencies up to $\pi/(T(d+1))$ each draws one point of the envelope. The envelope bounds
-the passive walls if, for a given stiffness, one of these frequencies is stricter than all others.
-With $\psi=\omega T/2$, $N=2(d+1)$, $u=KT/(2b)$ and $w=(B+KT/2)/b$ as before, that is a question of
-signs on $0<N\psi<\pi$ for $N>2$; each is certified.
+Each frequency up to $\pi/(T(d+1))$ gives one point of the envelope. The envelope bounds the passive
+walls if, for a given stiffness, one of these frequencies is stricter than all others. With
+$\psi=\omega T/2$, $N=2(d+1)$, $u=KT/(2b)$ and $w=(B+KT/2)/b$ as before, this reduces to signs of
+functions on $0<N\psi<\pi$ for $N>2$; each sign is proved.
 """
 
 from symhaptic.book.lemmas.chords import bend, chord_after, chord_before, flatter, width
@@ -23,7 +23,7 @@ def derive(page):
     _extent(page)
     page.lemma("The sine of the larger angle is flatter", flatter())
     page.lemma("The sine of twice the larger angle is flatter", width())
-    page.lemma("The chord before the angle is positive", chord_before())
+    page.lemma(r"$\sin N\psi>N\sin\psi\cos((N-1)\psi)$, by concavity of the sine", chord_before())
     page.lemma("The chord after the angle is positive", chord_after())
     rising = bend().conclusion.right
     page.step(
@@ -51,7 +51,7 @@ def derive(page):
     page.lemma("Up to $N\\psi=\\pi/2$ a larger angle has the larger stiffness", rises(LOWER))
     page.lemma("From $N\\psi=\\pi/2$ on a larger angle has the smaller stiffness", rises(UPPER))
     page.step(
-        "For a given stiffness the border moves towards the angle with $U=u$",
+        "For a given stiffness the angle with $U=u$ is the strictest",
         diff((u * cot(psi) * sin(N * psi) - 1) / cos(N * psi), psi),
         divisor / (2 * sin(psi) ** 2 * cos(N * psi) ** 2) * (u - curve),
         name=r"\partial w/\partial\psi",
@@ -63,8 +63,9 @@ def derive(page):
     page.lemma(
         "Every wall of the envelope leaves a margin at every angle",
         touches(),
-        because="on its own side by the order of the borders, on the other one since it is softer "
-        "than the tip, and damped to the right side of it",
+        because="on the same side of the tip by the order of the borders, on the other side since "
+        "it "
+        "is less stiff than the tip",
     )
     page.say(
         "For $N>2$, that is $d>0$, the envelope from $\\theta\\to0$ to $\\pi/(d+1)$ is therefore "
@@ -81,28 +82,29 @@ def derive(page):
 
 
 def _boundary(page):
-    """The walls of (7), and above the corner no others, behind whole delays and up to pi/(d+1)."""
+    """The walls of (7), and above the corner no others, with integer delays and up to pi/(d+1)."""
     printed = STATEMENTS["eq7"].printed
     then = taken_apart(page.claim("eq7"))[2]
     curve, others = then.of
     on_it = page.lemma(
-        "A wall of (7) is passive, and needs all of the damping", on_boundary(*map(assume, printed))
+        "A wall of (7) is passive, and requires exactly the damping $b$",
+        on_boundary(*map(assume, printed)),
     )
     page.say(
-        "Has the boundary other walls, more damped than the end of the line of $\\theta\\to0$? "
-        "Take one with $K>0$. It lies beyond the ray of that end, and from there to "
-        "$N\\psi=\\pi$ the walls of (7) turn to the ray of $K=0$. In between one of them is met:"
+        "Does the boundary have other walls, with more damping than the end of the line of "
+        r"$\theta\to0$? Take one with $K>0$. The ray from the origin through it lies between the "
+        "ray through that end and the ray $K=0$. The walls of (7) cover all rays in between:"
     )
     page.lemma(
         "Of the walls of (7) one lies on the ray of a wall beyond the corner",
         met(),
-        because="how far the wall of an angle is off the ray has different signs at both ends, "
-        "here with $u=KT/2$ and $w=B+KT/2$, not divided by $b$",
+        because="the distance of the wall from the ray has different signs at both ends, here with "
+        "$u=KT/2$ and $w=B+KT/2$, not divided by $b$",
     )
     page.lemma(
-        "A wall of the boundary needs just the damping of the one of (7) on its ray",
+        "A wall of the boundary requires the same damping as the wall of (7) on its ray",
         needed_there(),
-        because="with it the wall is passive, and at this angle it wants no less",
+        because="with it the wall is passive, and at this angle it requires no less",
     )
     above = page.lemma(
         "Above the corner each wall of the boundary is one of (7)",
@@ -128,7 +130,8 @@ def _boundary(page):
             whole(d): (half, not_on_boundary(then, half, half_late(Rational(17, 10)))),
             end: (high, not_on_boundary(then, high, STEPS)),
         },
-        shows=r"for $d=1$, $\omega T=\tfrac23\pi$ (7) gives $K=-4$, $B=2$: it pulls the hand",
+        shows=r"for $d=1$, $\omega T=\tfrac23\pi$ (7) gives $K=-4$, $B=2$: it has a negative "
+        "stiffness",
         note="without delay (7) is the single point $(2b/T,0)$, and the rest of the boundary is "
         "(6); for other $d>0$ it bounds the walls of (5); higher frequencies bound nothing",
     )
@@ -144,13 +147,13 @@ def _wall(printed, at):
 
 def _extent(page):
     page.say(
-        "The envelope is drawn by frequencies up to Nyquist, but a region is bounded only by "
-        "the lines that no other line cuts off. We show, for every real $d\\ge0$ and "
-        "$K\\ge0$, that frequencies above $\\pi/(T(d+1))$ cut off nothing."
+        "The envelope is drawn by frequencies up to Nyquist, but only some of the lines bound "
+        "the region. We show, for every real $d\\ge0$ and $K\\ge0$, that the conditions at "
+        "frequencies above $\\pi/(T(d+1))$ are redundant."
     )
     page.say(
-        "Let $\\psi=\\theta/2$, $N=2(d+1)\\ge2$ and measure the wall by $u=KT/(2b)\\ge0$ and "
-        "$w=(B+KT/2)/b$. The condition becomes shorter:"
+        r"Let $\psi=\theta/2$, $N=2(d+1)\ge2$ and write the wall with $u=KT/(2b)\ge0$ and "
+        "$w=(B+KT/2)/b$. The condition is then linear in $u$ and $w$:"
     )
     wall = {K: 2 * b * u / T, B: b * (w - u), d: N / 2 - 1, theta: 2 * psi}
     margin = page.step(
@@ -160,7 +163,7 @@ def _extent(page):
         name=r"1-b_{\min}/b",
     )
     page.step(
-        "At $N\\psi=\\pi$ only the damping counts",
+        r"At $N\psi=\pi$ the condition depends on $w$ only",
         margin.subs(psi, pi / N),
         1 - w,
         name=r"1-b_{\min}/b",
@@ -176,20 +179,20 @@ def _extent(page):
         because="so $w\\ge Nu-1\\ge-1$",
     )
     page.step(
-        "Between angles that differ by a full turn of $N\\psi$ only a cotangent changes",
+        r"Angles with $N\psi$ differing by $2\pi$ differ only in a cotangent",
         cot(psi) - cot(phi),
         sin(phi - psi) / (sin(psi) * sin(phi)),
         because="positive for $\\psi<\\varphi<\\pi/2$: the cotangent falls",
     )
     page.say(
-        "Beyond $N\\psi=\\pi$: where $\\sin N\\psi\\ge0$, the angle a full turn lower has the same "
-        "sine and cosine but a larger cotangent, and is stricter since $u\\ge0$. Where "
-        "$\\sin N\\psi<0$, the margin is at least $1-|w|\\ge0$ by the two ends. Nothing new is cut "
-        "off: only $0<N\\psi\\le\\pi$ counts, that is $0<\\omega T\\le\\pi/(d+1)$."
+        r"Beyond $N\psi=\pi$: where $\sin N\psi\ge0$, the angle with $N\psi$ smaller by $2\pi$ "
+        r"has the same sine and cosine but a larger cotangent, and is stricter since $u\ge0$. "
+        r"Where $\sin N\psi<0$, the margin is at least $1-|w|\ge0$ by the two limits above. So "
+        r"only $0<N\psi\le\pi$ matters, that is $0<\omega T\le\pi/(d+1)$."
     )
     page.lemma(
-        "A margin on the first half turn is one at every angle",
+        r"A margin for $0<N\psi\le\pi$ implies a margin at every angle",
         at_every_angle(),
-        because="of $N\\psi$ full turns are taken away, as often as they go into it",
+        because=r"multiples of $2\pi$ are subtracted from $N\psi$",
         boxed=True,
     )

@@ -1,7 +1,7 @@
-r"""How much virtual damping can be passive, and where does the boundary end?
+"""How much virtual damping can be passive, and where does the boundary end?
 
-The highest and the lowest point of the passive walls are those without stiffness. We ask which
-frequency decides there, and whether the boundary really ends at $K=0$.
+The passive walls of largest and smallest damping have no stiffness. We ask which frequency limits
+them, and whether the boundary ends at $K=0$.
 """
 
 from symhaptic.book.lemmas.largest_damping import between, divisors, limit_points, upper_frequency
@@ -11,13 +11,12 @@ from symhaptic.book.lemmas.prelude import *
 def derive(page):
     need = passivity.dirichlet_form()
     page.say(
-        "By \\chapter{s3a_passivity_condition} a wall needs at the angle $\\theta=\\omega T$ a "
-        "device that is damped by "
-        "$b>\\frac{KT\\sin(d+\\frac12)\\theta}{2\\sin\\frac\\theta2}-B\\cos(d+1)\\theta$; call "
-        "the right side its need."
+        r"By \chapter{s3a_passivity_condition} a wall is passive if "
+        r"$b>\frac{KT\sin(d+\frac12)\theta}{2\sin\frac\theta2}-B\cos(d+1)\theta$ at every angle "
+        r"$\theta=\omega T$. The right side is the required damping."
     )
     top = page.step(
-        "At $\\theta=\\pi/(d+1)$ the damping alone has to be borne",
+        r"At $\theta=\pi/(d+1)$ the condition depends on the virtual damping only",
         need.subs(theta, pi / (d + 1)),
         K * T / 2 + B,
         name=r"\left.\text{need}\right|_{\theta=\pi/(d+1)}",
@@ -48,9 +47,9 @@ def derive(page):
         name=r"F|_{K=0,\,B=-b}",
     )
     page.say(
-        "For $K\\ge0$ the first line gives $B\\le b-KT/2\\le b$, so the damping is largest at "
-        "$(0,b)$; the low frequencies give $B\\ge KT(d+\\tfrac12)-b\\ge-b$. But (5) goes on to "
-        "negative stiffness, where its walls are not passive: there the printed boundaries do not "
+        r"For $K\ge0$ the first line gives $B\le b-KT/2\le b$, so the damping is largest at "
+        r"$(0,b)$; the low frequencies give $B\ge KT(d+\tfrac12)-b\ge-b$. But (5) also admits "
+        "negative stiffness, where its walls are not passive: there the boundary of (5) does not "
         "end at these points, and larger damping satisfies (5)."
     )
     _ends(page, Eq(K, stiffness), Eq(B, damping), Eq(K, S.Zero, evaluate=False), Eq(B, -b))
@@ -94,7 +93,7 @@ def _ends(page, *derived):
         example=(soft, met[1]),
         unless={K >= 0: (beyond, *(met[0], not_intro(held, number(negated(order)), there)))},
         shows=r"$d=0$, $K=-1$, $B=\tfrac54b$ satisfies (5) at every frequency",
-        note="by (5), for every real $d$; behind whole delays these are the passive walls",
+        note="by (5), for every real $d$; with integer delays these are the passive walls",
     )
 
 

@@ -1,8 +1,8 @@
 r"""Is the lower part of the passivity boundary a straight line?
 
-Where small stiffness meets negative damping the boundary in the $(K,B)$ plane looks straight.
-It is the line of vanishing frequency; we ask how far it reaches, and for which walls the simple
-condition that comes from it is enough.
+For small stiffness and negative damping the boundary in the $(K,B)$ plane looks straight. It is the
+line of the limit $\omega\to0$. We ask how far it reaches, and for which walls the simple condition
+of this line is sufficient.
 """
 
 from symhaptic.book.lemmas.linear_part import ends_at_corner, met_at_every_frequency, on_line
@@ -39,8 +39,8 @@ def derive(page):
         name=B,
     )
     page.say(
-        "By \\chapter{s3b_rise} no other frequency cuts into the line between $(0,-b)$ and this "
-        "end: it bounds the passive walls for every real $d\\ge0$, with $y$ from 0 to 1 along it."
+        r"By \chapter{s3b_rise} no other frequency is stricter between $(0,-b)$ and this end: the "
+        r"line bounds the passive walls for every real $d\ge0$, with $y$ from 0 to 1 along it."
     )
     on_line = {K: end_stiffness * y, B: (end_damping + b) * y - b}
     page.step(
@@ -59,22 +59,23 @@ def derive(page):
 
 
 def _line(page, *derived):
-    """Each wall of (8) is on the boundary, behind whole delays, and below its end no other wall."""
+    """Each wall of (8) is on the boundary, with integer delays, and below its end no other wall."""
     then = taken_apart(page.claim("eq8"))[2]
     page.lemma(
-        "A wall of (8) is passive, and needs all of the damping",
+        "A wall of (8) is passive, and requires exactly the damping $b$",
         on_line(*map(assume, then.of[1].body.of[2:])),
         because="it lies between $(0,-b)$ and the corner of the envelope, which both leave a "
         "margin at every angle",
     )
     page.lemma(
-        "A wall of the boundary that is damped no more than the end of (8) lies on its line",
+        "A wall of the boundary with at most the damping of the end of (8) lies on the line (8)",
         on_the_line(),
-        because="a wall that leaves the line some room leaves a share of it at every angle, and "
-        "would be passive with less damping",
+        because="a wall with a margin to the line has a margin at every angle, and would be "
+        "passive "
+        "with less damping",
     )
     found = page.lemma(
-        "Up to the damping of its end the boundary is the line (8)",
+        "Up to the damping of this end the boundary is the line (8)",
         lower_boundary(then),
         boxed=True,
     )
@@ -85,7 +86,7 @@ def _line(page, *derived):
         *derived,
         example=late | {d: S.Zero, B: -S.Half},
         unless={whole(d): (late, _gains(then.at(late), Rational(8, 9)))},
-        shows=r"half a period late, the wall $K=b/T$, $B=0$ on this line gives energy away",
+        shows="with a delay of half a period, the wall $K=b/T$, $B=0$ on this line delivers energy",
         note="bounds the walls that satisfy (5) for every real $d$",
     )
 

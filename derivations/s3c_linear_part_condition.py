@@ -1,8 +1,8 @@
-r"""For which walls is damping over delay the limit of the stiffness?
+"""For which walls is the stiffness limited by damping over delay?
 
-Solved for the stiffness, the straight line of the lower part is the ratio of all damping to all
-delay, half a period of hold included. We ask for which damping this decides whether a wall is
-passive.
+Solved for the stiffness, the straight lower part of the boundary is the total damping divided by
+the total delay, including half a period for the hold. We ask for which damping this condition is
+exact.
 """
 
 from symhaptic.book.lemmas.linear_part import LOW, at_corner, decides
@@ -26,9 +26,9 @@ def derive(page):
         name=r"F\big|_{K=(b+B)/((d+1/2)T)}",
     )
     page.say(
-        "For damping in the stated range the low frequencies are the strictest, and the condition "
-        "is exact but for its border. For negative $K$ it says nothing: higher frequencies can "
-        "fail."
+        "For damping in the stated range the low frequencies are the strictest, and the "
+        "condition is exact except for equality. It does not apply to negative $K$: (5) can fail "
+        "at higher frequencies."
     )
     _condition(page, limit_of_k > K)
 
@@ -36,8 +36,8 @@ def derive(page):
 def _condition(page, nine):
     """(9), and (10), which is (9) in words, decide in the range of damping of (9)."""
     enough, needed = decides()
-    page.lemma("The line is enough for small damping", enough)
-    page.lemma("The line is needed, whatever the damping", needed)
+    page.lemma("The condition is sufficient for damping in the range of (9)", enough)
+    page.lemma("The condition is necessary for any damping", needed)
     border = Ne(K, LOW)
     late = {K: S.One, B: S.Zero, b: Rational(101, 100), T: S.One, d: S.Half}
     pulled = {K: -S(3), B: S.Zero, b: S.One, T: S.One, d: S.One}
@@ -52,13 +52,13 @@ def _condition(page, nine):
             nine,
             example=easy,
             unless={but: (at, not_alike(then, at, motion)) for at, motion, but in cases},
-            shows="half a period late, $K=b/(1.01\\,T)$ meets it and gives energy away",
+            shows=r"with a delay of half a period, $K=b/(1.01\,T)$ meets it and delivers energy",
             note=NOTES[id],
         )
 
 
 NOTES = {
-    "eq9": "equality satisfies (5) too, but for $d=0$, $B=0$: $\\omega=0$ is left out",
+    "eq9": r"equality satisfies (5) too, except for $d=0$, $B=0$: (5) excludes $\omega=0$",
     "eq10": "read with the range of damping of (9); for more damping it is necessary only "
     "(rules:damping-over-delay)",
 }

@@ -1,7 +1,7 @@
-r"""What is the largest stiffness that can be passive?
+"""What is the largest stiffness that can be passive?
 
-It is the rightmost point of the boundary. There a change of the damping must not help, so its
-coefficient in the condition vanishes; that fixes the frequency, and everything else follows.
+It is the rightmost point of the boundary. There the coefficient of the damping in the condition
+vanishes. This gives the frequency, and with it the wall.
 """
 
 from symhaptic.book.lemmas.chords import not_zero
@@ -13,10 +13,9 @@ from symhaptic.book.lemmas.stiffest_passive import TURN, bound, largest_of, stif
 def derive(page):
     need = passivity.dirichlet_form()
     page.say(
-        "By \\chapter{s3a_passivity_condition} a wall needs at the angle $\\theta=\\omega T$ a "
-        "device that is damped by "
-        "$b>\\frac{KT\\sin(d+\\frac12)\\theta}{2\\sin\\frac\\theta2}-B\\cos(d+1)\\theta$; call "
-        "the right side its need."
+        r"By \chapter{s3a_passivity_condition} a wall is passive if "
+        r"$b>\frac{KT\sin(d+\frac12)\theta}{2\sin\frac\theta2}-B\cos(d+1)\theta$ at every angle "
+        r"$\theta=\omega T$. The right side is the required damping."
     )
     page.step(
         "The coefficient of the virtual damping is a cosine",
@@ -30,23 +29,23 @@ def derive(page):
         cos((d + 1) * angle),
         S.Zero,
         name=r"\cos(d+1)\theta\,|_{\theta=\pi/(2(d+1))}",
-        because="later zeros lie beyond $\\pi/(d+1)$ and cut off nothing",
+        because=r"later zeros lie beyond $\pi/(d+1)$, where the condition is redundant",
     )
     _frequency(page, Eq(omega, angle / T))
     left = b - need.subs(theta, angle)
     largest = -left.subs(K, 0) / diff(left, K)
     stiffness = page.step(
-        "At that angle only the stiffness counts, and has a limit",
+        "At that angle the condition limits the stiffness alone",
         largest,
         2 * b / T * tan(pi / (4 * (d + 1))),
         name=K,
-        because="the damping has dropped out of the condition",
+        because="the condition no longer contains the damping",
         boxed=True,
         paper="11",
     )
     on_curve = [e.subs(theta, angle) for e in passivity.envelope()]
     page.step(
-        "The stiffest passive wall lies on the envelope",
+        "The passive wall of maximum stiffness lies on the envelope",
         on_curve[0] - stiffness,
         S.Zero,
         name=r"K\big|_{\text{(7)}}-K",
@@ -64,13 +63,13 @@ def derive(page):
     page.say("Relative to the undelayed wall, whose largest stiffness is $2b/T$:")
     share = stiffness / stiffness.subs(d, 0)
     one = page.step(
-        "One period of delay leaves 41 per cent",
+        r"One period of delay leaves 41\,\%",
         share.subs(d, 1),
         sqrt(2) - 1,
         name=r"K_{\max}(1)/K_{\max}(0)",
     )
     two = page.step(
-        "Two periods of delay leave 27 per cent",
+        r"Two periods of delay leave 27\,\%",
         share.subs(d, 2),
         2 - sqrt(3),
         name=r"K_{\max}(2)/K_{\max}(0)",
@@ -100,7 +99,7 @@ def _frequency(page, derived):
 
 
 def _stiffest(page, *derived):
-    """(11) is passive, and no passive wall is stiffer, behind whole delays."""
+    """(11) is passive, and no passive wall is stiffer, with integer delays."""
     page.lemma(
         "No passive wall is stiffer",
         bound(),
@@ -112,12 +111,12 @@ def _stiffest(page, *derived):
     claim = CLAIMED["eq11"](PRINTED)
     _, given, then = taken_apart(claim)
     found = page.lemma(
-        "The wall of (11) is passive, and the stiffest",
+        "The wall of (11) is passive and has the maximum stiffness",
         stiffest_wall(*map(assume, given[-2:])),
-        because="by \\chapter{s3b_rise} the envelope is softer on either side of this angle, so "
-        "that the margin of this wall, divided by $\\cos(d+1)\\theta$, falls there from plus to "
-        "minus through zero, and the margin itself is not negative. At larger angles "
-        "\\chapter{s3b_rise} says so. With the step before no passive wall is stiffer",
+        because=r"by \chapter{s3b_rise} the stiffness of the envelope is smaller on either side of "
+        r"this angle. So the margin of this wall, divided by $\cos(d+1)\theta$, changes from "
+        "plus to minus there, and the margin itself is not negative. For larger angles this "
+        "chapter shows it, too. With the step before no passive wall is stiffer",
         boxed=True,
     )
     at_half = {d: S.Half, T: S.One, b: S.One}
@@ -128,7 +127,7 @@ def _stiffest(page, *derived):
         *derived,
         example={d: S.Zero, T: S.One, b: S.One, K: S(2), B: S.Zero},
         unless={whole(d): (wall, not_passive(then, wall, half_late(Rational(17, 10))))},
-        shows=r"half a period late, this wall gives energy away in 60 periods",
+        shows="with a delay of half a period, this wall delivers energy in 60 periods",
         note="the largest stiffness that satisfies (5), for every real $d$",
     )
 

@@ -1,7 +1,7 @@
 r"""What do the plots of the passive walls show?
 
-Fig. 4 of the paper draws the boundary for seven delays, two of them fractions of a period. What it
-looks like is told in \chapter{s3b_rise}. For which delays are these the passive walls?
+Fig. 4 of the paper draws the boundary for seven delays, two of them fractions of a period. Its
+shape is derived in \chapter{s3b_rise}. For which delays are these the passive walls?
 """
 
 from symhaptic.book.figures.passivity import passive_regions
@@ -86,13 +86,13 @@ def row(text, *values):
 def fractions(page):
     """On the straight part, a fractional delay leaves the passive walls."""
     page.say(
-        "For whole delays the walls inside are the passive ones. A fraction of a period, "
-        "$d=\\ell+\\varepsilon$, has another condition, $D\\ge0$ "
-        "(\\chapter{s6d_fractional_passivity})."
+        "For integer delays the walls inside are the passive ones. A fractional delay, "
+        r"$d=\ell+\varepsilon$, has another condition, $D\ge0$ "
+        r"(\chapter{s6d_fractional_passivity})."
     )
     line = {B: K * T * (l + epsilon + Rational(1, 2)) - b}
     page.limit(
-        "On the straight part of (7) low frequencies take out energy",
+        "On the straight part of (7) low frequencies extract energy",
         fractional.margin().subs(line),
         theta,
         S.Zero,
@@ -108,7 +108,8 @@ GAINS = half_late(Rational(17, 10))
 
 
 def _curves(page):
-    """The curves of whole delays are what the caption says; half a period late the tip is not."""
+    """The curves of integer delays are what the caption says; with a delay of half a period the
+    tip is not."""
     _, given, then = taken_apart(page.claim("fig4"))
     case = TIP | {omega: pi / 2, y: S.One}
     some, none = (
@@ -126,7 +127,7 @@ def _curves(page):
         drawn(then),
         example=(case | {d: S.Zero}, disj(identity(S.Zero, S.Zero), none)),
         unless={whole(d): (case, disj(identity(S.Half, S.Half), some), denied)},
-        shows=r"half a period late, the tip of the curve for $d=0.5$ gives energy away",
+        shows="with a delay of half a period, the tip of the curve for $d=0.5$ delivers energy",
         note="five of the seven curves are what the caption says, the other two are (5)",
     )
 

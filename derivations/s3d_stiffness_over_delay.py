@@ -1,7 +1,7 @@
-r"""How does the largest passive stiffness fall with the delay?
+"""How does the largest passive stiffness fall with the delay?
 
-Fig. 5 of the paper draws the stiffness of (11) over the delay. For which delays is it the largest
-that is passive?
+Fig. 5 of the paper plots the stiffness of (11) over the delay. For which delays is it the largest
+passive stiffness?
 """
 
 from symhaptic.book.figures.passivity import largest_stiffness
@@ -36,7 +36,7 @@ def derive(page):
 
 
 def _tips(page):
-    """The height of the curve is that of (11), the stiffest wall behind a whole delay."""
+    """The height of the curve is that of (11), the stiffest wall with an integer delay."""
     _, given, then = taken_apart(page.claim("fig5"))
     stiffness, damping = map(assume, given[-2:])
     height = combined(then.of[0], [stiffness, T])
@@ -46,7 +46,7 @@ def _tips(page):
         found,
         example={d: S.Zero, T: S.One, b: S.One, K: S(2), B: S.Zero},
         unless={whole(d): (TIP, not_passive(then, TIP, half_late(Rational(17, 10))))},
-        shows=r"half a period late the wall of (11) gives energy away, and $KT/b=1.17$ can be "
-        "passive where the curve is at 1.1547",
+        shows="with a delay of half a period the wall of (11) delivers energy, and $KT/b=1.17$ can "
+        "be passive where the curve is at 1.1547",
         note="with the delay rounded up the curve is always safe",
     )

@@ -21,15 +21,15 @@ CORRECTED = (
 
 WHOLE = r"\frac{1}{ms^2 + bs + k} \hat{=} \br " + CORRECTED
 DELAYS = r"e^{-dT_s} \hat{=} z^{-d}", r"e^{-d\changed{Ts}} \hat{=} z^{-d}"
-"""The equivalent of the delay as printed, and as it is meant."""
+"""The equivalent of the delay as published, and as it is meant."""
 
 
 def derive(page):
     plant = Plant()
     page.say(
-        "Newton's law $m\\ddot x+b\\dot x+kx=F$ has the state matrix $A$; with poles $s_1,s_2$, "
-        "Putzer's formula gives $e^{At}=e^{s_1t}+(A-s_1)\\,(e^{s_1t}-e^{s_2t})/(s_1-s_2)$. We do "
-        "not take it on trust:"
+        r"Newton's law $m\ddot x+b\dot x+kx=F$ has the state matrix $A$; with poles $s_1,s_2$, "
+        r"Putzer's formula gives $e^{At}=e^{s_1t}+(A-s_1)\,(e^{s_1t}-e^{s_2t})/(s_1-s_2)$. It is "
+        "verified here:"
     )
     law = plant.state_matrix
     phi, held = plant.transition(t), plant.held(t)
@@ -83,9 +83,9 @@ def derive(page):
         paper="12",
     )
     page.say(
-        "The last summand of the numerator needs the factor $m/T$ that (12) lacks: without "
-        "it a damping is added to a squared damping, and the result depends on the units. The "
-        "form is $0/0$ for $k=0$ and at critical damping, where the motion is not special at all."
+        "The last summand of the numerator needs the factor $m/T$ that (12) lacks: without it a "
+        "damping is added to a squared damping, so that the result depends on the units. The "
+        "form is $0/0$ for $k=0$ and at critical damping, where the motion itself is regular."
     )
     swing = FREE | {m: S(2), b: S(4), k: Rational(3, 2)}
     claim = page.claim("eq12")
@@ -98,8 +98,9 @@ def derive(page):
         corrected=(WHOLE,),
         example=shown_at(corrected, SWINGING, *apart),
         unless=[fails(claim, swing)],
-        shows=r"differs at $T=1$, $m=2$, $b=4$, $k=\tfrac32$ ($c_1=1$), $z=2$: "
-        "0.1882 as printed, 0.1366 of the device",
+        shows=r"differs at $T=1$, $m=2$, $b=4$, $k=\tfrac32$ ($c_1=1$), $z=2$: 0.1882 as "
+        r"published, "
+        "0.1366 of the device",
         note="$0/0$ for $k=0$ and for $b^2=4km$",
     )
     _delay(page)
@@ -109,13 +110,13 @@ def _delay(page):
     page.say("A delay of $d$ periods multiplies by $e^{-dTs}$, and with $z=e^{Ts}$:")
     page.define("A shift by one period is a factor $z$", z, exp(T * s))
     page.step(
-        "On the unit circle the delay only turns",
+        "On the unit circle the delay changes only the phase",
         on_circle(z ** (-d), omega * T),
         exp(-I * d * omega * T),
         name=r"z^{-d}\big|_{s=j\omega}",
     )
     page.lemma(
-        "A force that comes whole periods late is $z^{-d}$ times the force",
+        "A force that is delayed by an integer number of periods is $z^{-d}$ times the force",
         late_answer(),
         because="for every device, whatever its spring and damper",
     )
@@ -128,7 +129,8 @@ def _delay(page):
         corrected=(DELAYS[1],),
         example=shown_at(corrected, free, whole(d)),
         unless=[fails(claim, free)],
-        shows=r"at $d=T=1$, $T_s=2$ a free mass would answer $e^{-2}$ times, not half as much",
-        note="possibly of the conversion of the text: $T_s$ for $Ts$; exact at the samples for "
-        "whole delays",
+        shows="at $d=T=1$, $T_s=2$ the response of a free mass would be multiplied by $e^{-2}$ and "
+        r"not by $\tfrac12$",
+        note="possibly an error of the text conversion: $T_s$ for $Ts$; exact at the samples for "
+        "integer delays",
     )

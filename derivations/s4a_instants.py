@@ -18,20 +18,21 @@ from symhaptic.proof.theorems.samples import turns
 def derive(page):
     device, given = normalised(FULL), {gamma: (delta**2 - c**2) / 4}
     page.say(
-        "Over a period the state moves as $x_{k+1}=\\Phi x_k+\\Gamma F_k$ if the force $F_k$ is "
-        "held all the time. That is a law for the samples alone. Two periods after each other are "
-        "one of twice the length, $\\Phi(2)=\\Phi(1)\\Phi(1)$, and a force that is held for both "
-        "answers like two in a row, $\\Gamma(2)=\\Phi(1)\\Gamma(1)+\\Gamma(1)$."
+        r"Over a period the state moves as $x_{k+1}=\Phi x_k+\Gamma F_k$ if the force $F_k$ is "
+        "held all the time. This recursion contains the samples only. Two consecutive periods "
+        r"are one period of twice the length, $\Phi(2)=\Phi(1)\Phi(1)$, and a force that is held "
+        "for both has the same effect as two equal forces, "
+        r"$\Gamma(2)=\Phi(1)\Gamma(1)+\Gamma(1)$."
     )
     one = [part(S.One, c).xreplace(given) for part in (device.transition, device.held)]
     two = [part(S(2), c).xreplace(given) for part in (device.transition, device.held)]
     page.same("motion", two[0], one[0] * one[0])
     page.same("push", two[1], one[0] * one[1] + one[1])
     page.say(
-        "A delay of $d$ whole periods puts $F_{k-d}$ in place of $F_k$; the force is still held "
-        "from one sampling instant to the next. So for whole delays, and as long as the external "
-        "force is held too, the samples are exact. Take the free mass, in units of mass and "
-        "period, and let one of the two be different."
+        "An integer delay of $d$ periods puts $F_{k-d}$ in place of $F_k$; the force is still "
+        "held from one sampling instant to the next. So for integer delays, and as long as the "
+        "external force is held too, the samples are exact. We now violate one of the two "
+        "assumptions for a free mass, in units of mass and period."
     )
     free = normalised(Parts(stiffness=False, damping=False))
     page.step(
@@ -39,10 +40,10 @@ def derive(page):
         integrate(free.transition(1 - t)[0, 1] * t, (t, 0, 1)),
         Rational(1, 6),
         name="x_1",
-        because="by its samples $F_0=0$ the mass has not moved at all",
+        because="by its samples $F_0=0$ the mass would not have moved",
     )
     page.step(
-        "A held force that comes $d$ periods late is not the shifted one",
+        "A held force with a fractional delay is not the shifted one",
         free.held(1 - d)[0],
         (1 - d) ** 2 / 2,
         name="x_1",
@@ -53,7 +54,7 @@ def derive(page):
 
 
 def _settle(page):
-    """The loop with a whole delay is that with z^-d: both answers are the same."""
+    """The loop with an integer delay is that with z^-d: both answers are the same."""
     claim = page.claim("s4a-exact-instants")
     then = taken_apart(claim)[2]
     gains = (1 + X_d * WALL) * (1 + z**-d * X * WALL)
@@ -65,6 +66,7 @@ def _settle(page):
         as_claimed(claim, found, whole(d)),
         example=shown_at(claim, point, whole(d)),
         unless=[fails(claim, FREE | {d: S.Half, z: 4}, but=whole(d))],
-        shows="half a period late, a free mass answers $z=4$ in another way than $z^{-1/2}$ says",
+        shows="with a delay of half a period, the response of a free mass at $z=4$ differs from "
+        "that of $z^{-1/2}$",
         note="and for an external force that is held, as the paper says",
     )

@@ -1,7 +1,7 @@
-r"""Which numbers does the loop really depend on?
+"""On which parameters does the loop depend?
 
-Seven physical parameters describe the loop. Measured in units of the moving mass and of the
-sampling period, two of them disappear.
+Seven physical parameters describe the loop. In units of the moving mass and of the sampling period,
+five remain.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -42,7 +42,7 @@ def derive(page):
         Eq(delta, damping),
         definition=True,
     )
-    page.say("In these numbers the plant is $1/(s^2+\\delta s+\\gamma)$, with a period of 1.")
+    page.say(r"In these parameters the plant is $1/(s^2+\delta s+\gamma)$, with a period of 1.")
     unit = plant.normalised(FULL)
     one, two = unit.poles(c_1)
     _abbreviations(page, Eq(c_1, unit.split), Eq(c_2, exp(two)), Eq(c_3, exp(one)))
@@ -60,8 +60,8 @@ def derive(page):
     ):
         page.step(title, theirs, form, name=name)
     page.say(
-        "so that the device is $P(z)=\\frac{T^2}{m}(n_1z+n_0)/(z^2-az+e)$. The forms of $n_1$ and "
-        "$n_0$ are $0/0$ for $\\gamma=0$, a device that nobody holds, and for $c_1=0$. The values "
+        r"so that the device is $P(z)=\frac{T^2}{m}(n_1z+n_0)/(z^2-az+e)$. The forms of $n_1$ and "
+        r"$n_0$ are $0/0$ for $\gamma=0$, a device without an arm, and for $c_1=0$. The values "
         "there are finite:"
     )
     alone = sampled(plant.normalised(Parts(stiffness=False)))
@@ -106,7 +106,7 @@ def _equivalent(page, form):
             fails(claim, UNHELD, holds=apart[:1], but=apart[1]),
             fails(claim, CRITICAL, holds=apart[1:], but=apart[0]),
         ],
-        shows=r"$0/0$ for an ungrabbed device, which (22) and (23) admit",
+        shows="$0/0$ for a device without an arm, which (22) and (23) admit",
     )
 
 

@@ -1,7 +1,7 @@
-r"""Why do seven parameters become five?
+"""Why do five of the seven parameters remain?
 
-The loop has seven physical parameters. Their units decide how many of them can be removed by a
-choice of units, and how many numbers must remain.
+The loop has seven physical parameters. We count how many of them can be removed by a choice of
+units.
 """
 
 from sympy import Matrix, zeros
@@ -22,8 +22,8 @@ def derive(page):
         [[unit, *powers.col(i)] for i, unit in enumerate(units)],
     )
     page.say(
-        "A product of powers of the seven is a pure number if the powers of all three units "
-        "vanish. These are three equations for seven exponents."
+        "A product of powers of the seven parameters is dimensionless if the exponents of all "
+        "three units vanish. These are three equations for seven exponents."
     )
     rank = page.step(
         "The units of the seven have rank two",
@@ -33,7 +33,7 @@ def derive(page):
         because="the metre does not occur: force and length are scaled together in a linear loop",
     )
     left = page.step(
-        "Five pure numbers are independent",
+        "Five dimensionless numbers are independent",
         len(names) - rank,
         Integer(5),
         name=r"7-\text{rank}",
@@ -49,9 +49,9 @@ def derive(page):
     page.same("pure numbers", chosen * powers, zeros(len(rules), len(units)))
     page.same("independent", Integer(chosen.rank()), left)
     page.say(
-        "The product of both tables is zero, so that all five are pure numbers, and the rank of "
-        "the second is five: none of them follows from the others. So the loop depends on "
-        "these five, and on mass and period as units only."
+        "The product of both tables is zero, so that all five are dimensionless, and the rank of "
+        "the second is five: none of them follows from the others. So the loop depends on these "
+        "five, and on mass and period only as units."
     )
     _settle(page)
 

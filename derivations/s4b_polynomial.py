@@ -1,7 +1,7 @@
-r"""Which polynomial decides whether the loop is stable?
+"""Which polynomial decides whether the loop is stable?
 
-The sampled device and the delayed wall are closed to a loop. Its poles are the roots of one
-polynomial, and its form should not break down for the devices that one meets.
+The sampled device and the delayed wall form a closed loop. Its poles are the roots of one
+polynomial. We write it in a form that is regular for every device.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -34,7 +34,7 @@ def derive(page):
         because="$P/(1+PHz^{-d})$, both sides multiplied by the two denominators",
         paper="16",
     )
-    page.say("The denominator is monic and never degenerates:")
+    page.say("The denominator is monic for every device:")
     page.step(
         "The characteristic polynomial, with the highest coefficient 1",
         loop.closing(plant.Sampled(n_1, n_0, a, e)),
@@ -57,23 +57,23 @@ def derive(page):
     page.define("and the denominator (18)", p, eighteen.rhs)
     page.same("(18) is p_1 times a factor", eighteen.rhs, bottom)
     page.say(
-        "With the device's $n_1$, $n_0$, $a$ and $e$ this is $p(z)=-2c_1\\gamma\\,p_1(z)$. The "
-        "factor vanishes for a device that nobody holds and at critical damping, and with it all "
-        "of $n(z)$ and $p(z)$."
+        r"With the device's $n_1$, $n_0$, $a$ and $e$ this is $p(z)=-2c_1\gamma\,p_1(z)$. The "
+        "factor vanishes for a device without an arm and at critical damping, so that $n(z)$ and "
+        "$p(z)$ vanish identically."
     )
-    _settle(page, "eq17", Eq(n, top), r"$n(z)\equiv0$ for an ungrabbed device", late=False)
+    _settle(page, "eq17", Eq(n, top), r"$n(z)\equiv0$ for a device without an arm", late=False)
     _settle(
         page,
         "eq18",
         Eq(p, bottom),
-        r"$p(z)\equiv0$ for an ungrabbed device: every $z$ would be a pole",
+        r"$p(z)\equiv0$ for a device without an arm: every $z$ would be a pole",
     )
-    _settle(page, "eq16", Eq(closed, loop.closed(split=c_1)), r"$0/0$ for an ungrabbed device")
+    _settle(page, "eq16", Eq(closed, loop.closed(split=c_1)), "$0/0$ for a device without an arm")
     _scenes(page)
 
 
 def _settle(page, id, form, shows, late=True):
-    """Right for every loop whose device the print does not turn to 0/0, behind whole delays."""
+    """Right for every loop whose device the print does not turn to 0/0, with integer delays."""
     claim = page.claim(id)
     bottom = STATEMENTS["eq18"].printed[0].rhs
     split, spring, steps = Ne(c_1, 0), Ne(gamma, 0), whole(d)
@@ -105,13 +105,12 @@ def _points(claim, conditions):
 
 def _scenes(page):
     page.say(
-        "A loop without spring, damper, virtual damping or delay has a smaller polynomial of its "
-        "own. It is derived without the missing part, and shown to be what the larger one tends "
-        "to."
+        "A loop without spring, damper, virtual damping or delay has a smaller polynomial. It "
+        "is derived without the missing part and shown to be the limit of the larger one."
     )
     page.say(
         "The free mass moves by half a unit per unit force and period; with a damper its speed "
-        "decays; with a spring it swings, $\\Omega=\\sqrt\\gamma$."
+        r"decays; with a spring it oscillates, $\Omega=\sqrt\gamma$."
     )
     free, damped = (
         plant.sampled(plant.normalised(parts))
@@ -120,20 +119,20 @@ def _scenes(page):
     swinging = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
     swings = swinging.transfer.subs(gamma, Omega**2)
     still = page.step(
-        "A free mass has four plain numbers",
+        "The four coefficients of a free mass",
         free.transfer,
         (z + 1) / (2 * (z - 1) ** 2),
         name=r"P(z)\big|_{\gamma=\delta=0}",
     )
     fade = exp(-delta)
     fading = page.step(
-        "A damped mass has one exponential",
+        "The coefficients of a damped mass contain one exponential",
         damped.transfer,
         ((delta - 1 + fade) * z + 1 - (1 + delta) * fade) / (delta**2 * (z - 1) * (z - fade)),
         name=r"P(z)\big|_{\gamma=0}",
     )
     swinging = page.step(
-        "A mass on a spring has one cosine",
+        "The coefficients of a mass on a spring contain one cosine",
         swings,
         (1 - cos(Omega)) * (z + 1) / (Omega**2 * (z**2 - 2 * cos(Omega) * z + 1)),
         name=r"P(z)\big|_{\delta=0}",

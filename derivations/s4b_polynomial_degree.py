@@ -1,7 +1,7 @@
-r"""How many numbers does the characteristic polynomial need, and what is its degree?
+"""How many parameters does the characteristic polynomial have, and what is its degree?
 
-The polynomial of the loop was derived in units of the mass and the period. We derive it once more
-in physical units, and count its powers of $z$.
+We derive the polynomial of the loop again in physical units, and count its parameters and its
+powers of $z$.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -16,10 +16,10 @@ from symhaptic.proof.theorems.roots import degree, not_of_degree
 
 def derive(page):
     page.say(
-        "In physical units the sampled device has the state $e^{AT}$ and the wall is $H(z)z^{-d}$. "
-        "The rules of Table I are put in afterwards, and both mass and period drop out: what is "
-        "left is the polynomial $p_1$ of (18), whose $a$, $e$, $n_1$ and $n_0$ depend on "
-        "$\\gamma$ and $\\delta$ only."
+        "In physical units the sampled device has the state $e^{AT}$ and the wall is "
+        "$H(z)z^{-d}$. The rules of Table I are put in afterwards, and both mass and period "
+        "cancel: the result is the polynomial $p_1$ of (18), whose $a$, $e$, $n_1$ and $n_0$ "
+        r"depend on $\gamma$ and $\delta$ only."
     )
     device = sampled(Plant(), T, split=c_1 / T)
     polynomial = device.denominator * z ** (d + 1)
@@ -53,7 +53,7 @@ def _five(page):
     found = page.lemma(
         "Two loops with the same five numbers have the same product of device, delay and wall",
         same_loop(SECOND),
-        because="each answers as that of mass and period 1, and only one answer there is",
+        because="each has the response of the loop with mass and period 1, which is unique",
     )
     numbers = {alpha: 1, beta: 0, gamma: pi**2, delta: 0, d: 0, z: 4}
     light = {m: 1, b: 0, k: pi**2, T: 1, K: 1, B: 0, t_d: 0}
@@ -92,5 +92,5 @@ def _degree(page):
             split: fails_at({gamma: 1, delta: 2}),
             steps: fails_at(swing | {d: S.Half}),
         },
-        shows="the leading coefficient vanishes for an ungrabbed device",
+        shows="the leading coefficient vanishes for a device without an arm",
     )

@@ -1,8 +1,8 @@
-r"""How much spring and damping does an arm bring into the loop?
+r"""How much stiffness and damping does an arm add to the loop?
 
-A hand that holds the device adds its mass to it as well, so that neither its stiffness nor its
-damping counts alone. We look for bounds of $\gamma$ and $\delta$ that ask for the arm and for the
-device separately.
+An arm adds mass as well as stiffness and damping, and $\gamma$ and $\delta$ depend on the total
+mass. We look for bounds of $\gamma$ and $\delta$ from separate bounds for the arm and for the
+device.
 """
 
 from symhaptic.book.lemmas.arm import PLAIN, WHOLE, bounds, limits, numbers, p, weighted
@@ -14,30 +14,30 @@ def derive(page):
     together = Plant(m_D, b_D, None).characteristic + Plant(m_H, b_H, k_H).characteristic
     mass, damping, stiffness = Poly(together, s).all_coeffs()
     spring = page.step(
-        "In units of mass and period the spring is a pure number",
+        r"In units of mass and period the stiffness is $\gamma$",
         stiffness * T**2 / mass,
         T**2 * k_H / (m_D + m_H),
         name=gamma,
-        because="the forces that arm and device need for the same motion add up, as in (2)",
+        because="the forces of arm and device add up for the same motion, as in (2)",
         paper="19",
     )
     damper = page.step(
-        "In units of mass and period the damper is a pure number",
+        r"In units of mass and period the damping is $\delta$",
         damping * T / mass,
         T * (b_D + b_H) / (m_D + m_H),
         name=delta,
         paper="19",
     )
     _numbers(page, Eq(gamma, spring), Eq(delta, damper))
-    page.say("Leaving the other's mass out enlarges each part. By how much?")
+    page.say("Each ratio is larger without the mass of the other body:")
     page.step(
-        "Without the device's mass the spring would be stiffer",
+        r"Without the device's mass $\gamma$ is larger",
         T**2 * k_H / m_H - spring,
         T**2 * k_H * m_D / (m_H * (m_D + m_H)),
         name=r"T^2\frac{k_H}{m_H}-\gamma",
     )
     page.step(
-        "Without the other's mass each damper would count for more",
+        "Without the mass of the other body each damping ratio is larger",
         T * (b_D / m_D + b_H / m_H) - damper,
         T * (b_D * m_H**2 + b_H * m_D**2) / (m_D * m_H * (m_D + m_H)),
         name=r"T\Bigl(\frac{b_D}{m_D}+\frac{b_H}{m_H}\Bigr)-\delta",
@@ -45,8 +45,8 @@ def derive(page):
     )
     _bounds(page)
     page.say(
-        "The sum of both ratios is more than needed. With the masses as weights, the damping of "
-        "the whole is a mean of the two:"
+        "The sum of both ratios is an upper bound that is not sharp. The ratio of the total "
+        "damping is a mean of the two, weighted by the masses:"
     )
     _mean(page)
     _limits(page)
@@ -73,8 +73,8 @@ def _bounds(page):
         example=PLAIN,
         unless={springy: (limp, not_all(there, fact(negated(there.of[0]))))},
         shows=r"an arm without a spring, $k_H=0$, for which (20) says $0<0$",
-        note=r"the print assumes positive masses and dampers, and no spring; with $\le$ it holds "
-        r"for every arm, and (22) admits $k_H=0$",
+        note=r"the published formula assumes positive masses and dampers, and a spring; with $\le$ "
+        "it holds for every arm, and (22) admits $k_H=0$",
     )
 
 
@@ -109,7 +109,7 @@ def _mean(page):
 def _limits(page):
     """Limits of stiffness and damping per mass for each part are limits for both."""
     found = page.lemma(
-        "Limits for the arm and for the device, each on its own, are enough",
+        "Separate limits for the arm and for the device are sufficient",
         conj(*limits(page.claim("s4c-independent-limits"))),
     )
     page.settle(

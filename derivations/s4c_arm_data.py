@@ -1,7 +1,7 @@
-r"""What do the arms of the literature have in common?
+"""What do the arms of the literature have in common?
 
-Table II of the paper lists eleven arms from eleven articles. The articles are not at hand, but
-what the numbers say of themselves can be checked: ratios, damping, and units that were converted.
+Table II of the paper lists eleven arms from eleven articles. We do not have the articles, but the
+numbers can be checked: ratios, damping, and units that were converted.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -19,11 +19,11 @@ ROWS = {
 
 def derive(page):
     page.say(
-        "Only the ratios to the mass enter $\\gamma$ and $\\delta$. The damping ratio "
-        "$\\zeta=b_H/(2\\sqrt{k_Hm_H})$ tells how each arm swings by itself:"
+        r"Only the ratios to the mass enter $\gamma$ and $\delta$. The damping ratio of each arm "
+        r"is $\zeta=b_H/(2\sqrt{k_Hm_H})$:"
     )
     page.table(
-        "From the printed decimals of Table II, rounded.",
+        "From the published decimals of Table II, rounded.",
         ["article", "$k_H/m_H$ in s$^{-2}$", "$b_H/m_H$ in s$^{-1}$", "$\\zeta$"],
         [
             [
@@ -37,8 +37,9 @@ def derive(page):
     )
     checks = converted(page)
     page.say(
-        "One row stands out. There, says the paper, the arm was strapped down and only the hand "
-        "was measured. Over the next largest ratios, of Hogan and of Tsuji et al.:"
+        "One row is exceptional: the paper says that the arm was strapped down and only the hand "
+        "was measured. Its ratios, divided by the next largest ones, those of Hogan and of Tsuji "
+        "et al.:"
     )
     shown = []
     for column, name in ((1, r"\frac{k_H/m_H}{(k_H/m_H)_2}"), (2, r"\frac{b_H/m_H}{(b_H/m_H)_2}")):
@@ -74,14 +75,14 @@ def series(page):
         found.append(combined(wanted, both, [assume(given[-1]), -k * own]))
     apart = [positive(Ne(part, 0), part > 0) for part in symbols]
     theorem = page.lemma(
-        "Two joints in series are softer than each of them", closed(conj(*found), *apart)
+        "Two joints in series are less stiff than each of them", closed(conj(*found), *apart)
     )
     half = {k: S.Half, k_1: S.One, k_2: S.One}
     page.settle(
         "s4c-series",
         theorem,
         example=half,
-        note="how much softer an arm is, rests on its joints",
+        note="how much less stiff an arm is depends on its joints",
     )
 
 
@@ -95,10 +96,10 @@ def converted(page):
     daniel, lawrence = TABLE_II[0], TABLE_II[6]
     force = POUND * GRAVITY / INCH
     page.say(
-        "The first row is a mass of 1 kg that swings at 1 Hz with critical damping: "
-        "$k_H=4\\pi^2$, $b_H=4\\pi$. By its footnote it is arm and device together, so that its "
-        "mass is no $m_H$. The row of Lawrence is 0.1, 1 and 1 in pounds of force, inches and "
-        "seconds, with 1 lb $=$ 0.45359237 kg, 1 in $=$ 0.0254 m and $g=$ 9.80665 m/s$^2$."
+        "The first row is a mass of 1 kg with a natural frequency of 1 Hz and critical damping: "
+        r"$k_H=4\pi^2$, $b_H=4\pi$. By its footnote it describes arm and device together, so that "
+        "its mass is not $m_H$. The row of Lawrence is 0.1, 1 and 1 in pounds of force, inches "
+        "and seconds, with 1 lb $=$ 0.45359237 kg, 1 in $=$ 0.0254 m and $g=$ 9.80665 m/s$^2$."
     )
     page.step(
         "At 1 Hz $b_H=4\\pi m_H$ is critical damping",
@@ -116,7 +117,7 @@ def converted(page):
     page.enclosed(
         "The limits in SI units are enclosed",
         [(name, value) for name, value, _ in found],
-        because="printed as 39.5, 12.6, 17.51, 175.1 and 175.1",
+        because="published as 39.5, 12.6, 17.51, 175.1 and 175.1",
         places=6,
     )
     return [rounded(value, printed) for _, value, printed in found]

@@ -53,11 +53,11 @@ def largest(page):
         note=r"equality for Hogan, $\tfrac{131}9$ rounded up for Tsuji et al.",
     )
     page.say(
-        "The bound 710 is attained, but the mass of 0.8 kg is given by one digit. Half a unit of "
+        "The bound 710 is attained, but the mass of 0.8 kg has one digit only. Half a unit of "
         "the last digits would allow"
     )
     page.step(
-        "The stiffest arm that the printed digits allow has a ratio of 758",
+        "The published digits allow a ratio of up to 758",
         Rational("568.5") / Rational("0.75"),
         S(758),
         name=r"\frac{568.5}{0.75}",

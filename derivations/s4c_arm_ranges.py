@@ -1,7 +1,7 @@
-r"""How much wider are the ranges than the arms that were found?
+"""How much wider are the ranges (23) than the arms of the literature?
 
 The paper says by roughly 30 %, and by 30 % in the caption of Fig. 6. It also takes a period of at
-most 1 ms. Both numbers are checked, and for which periods the ranges are enough.
+most 1 ms. We check both numbers, and for which periods the ranges contain all arms.
 """
 
 from sympy import ceiling
@@ -111,7 +111,8 @@ def periods(page):
     page.enclosed(
         "The ranges cover periods up to these, in milliseconds",
         [("T_{\\gamma}", sqrt(LONGEST / STIFFNESS) * 1000), ("T_{\\delta}", 20 / DAMPING)],
-        because="for slower sampling (23) leaves arms of Table II out, the stiffest first",
+        because="for slower sampling (23) excludes arms of Table II, those of largest stiffness "
+        "first",
         places=6,
     )
     others = {row.authors: Rational(row.damping) / Rational(row.mass) for row in TABLE_II}

@@ -1,7 +1,7 @@
 r"""How much area does a delay take from the stable region?
 
-The paper says that the region becomes smaller. As sets of walls the regions of two delays are not
-nested (\chapter{s4d_parts_delay}). This chapter compares their areas.
+The paper says that the region becomes smaller. The regions of two delays are not nested
+(\chapter{s4d_parts_delay}). This chapter compares their areas.
 """
 
 from symhaptic.book.lemmas.areas import around, delay_takes_area, inside
@@ -15,14 +15,15 @@ def derive(page):
         "A polygon of stable walls bounds the area of a region from below, and a polygon that "
         "holds all stable walls bounds it from above. All walls of a convex polygon are stable if "
         "one is, and if no wall of it puts a zero of the characteristic polynomial on the unit "
-        "circle: at each angle some side of the polygon separates it from the wall that does so. "
+        "circle: at each angle some side of the polygon separates it from the wall with such a "
+        "zero. "
         f"For the arm of Figs. 11 and 12 and $d={DELAY}$:"
     )
     page.lemma(f"The walls of a polygon are stable for $d={DELAY}$", inside(DELAY))
     page.say(
-        "The sides of the other polygon are a tangent to the boundary each "
-        "(\\chapter{s5b_stiffest_wall}), except the left one and that below, which follows from a "
-        "minor of Hurwitz'."
+        "Each side of the other polygon is a tangent to the boundary "
+        r"(\chapter{s5b_stiffest_wall}), except the left one and the lower one, which follows "
+        "from Hurwitz' criterion."
     )
     page.lemma(f"All stable walls of $d={DELAY}$ lie in another polygon", around(DELAY))
     rows = [

@@ -1,6 +1,6 @@
 r"""How much area do the spring, the damper and the mass of an arm give to the stable region?
 
-A single wall can be lost with each of them (\chapter{s4d_parts_of_the_arm}). This chapter compares
+Each of them can destabilise a single wall (\chapter{s4d_parts_of_the_arm}). This chapter compares
 the areas of the regions without delay.
 """
 
@@ -18,12 +18,12 @@ from symhaptic.proof.theorems.leaves import on_box as on_plain_box
 
 def derive(page):
     page.say(
-        "Without delay a spring moves the region to the left and takes nothing from it: each of "
-        "Jury's inequalities gains by the move."
+        "Without delay a spring moves the region to the left without making it smaller: every "
+        r"stable wall, moved by $-0.001$ in $\alpha$, satisfies each of Jury's inequalities."
     )
     spring = page.lemma(
-        "A wall that is stable without a spring, less 0.001 of $\\alpha$, is stable with "
-        "$\\gamma=0.001$",
+        r"A wall that is stable without a spring is stable with $\gamma=0.001$ if $\alpha$ is "
+        "smaller by 0.001",
         spring_adds(),
     )
     damper = page.lemma(
@@ -32,18 +32,18 @@ def derive(page):
         because="so that the region holds the one of less damping",
     )
     page.say(
-        "With twice the mass $\\alpha$ and $\\beta$ of the same wall are half as large. An area of "
-        "walls $(K,B)$ is therefore four times as large as the same area of $\\alpha$ and $\\beta$."
+        r"With twice the mass $\alpha$ and $\beta$ of the same wall are half as large. In the "
+        "plane of $K$ and $B$ an area is therefore four times as large."
     )
     mass = page.lemma(
-        "Four times the area inside is more than that around, with half the mass", mass_adds()
+        "Four times the area with twice the mass exceeds the area with the single mass", mass_adds()
     )
     page.settle(
         "s4d-all-stabilising-area",
         conj(spring, damper, mass),
-        note="without delay: the spring between the ends of (23), at both ends of the damping; the "
-        "damper inside (23); the mass doubled, for the arm of Figs. 11 and 12. A single wall can "
-        "be lost (s4d-all-stabilising)",
+        note="without delay: the spring between the ends of (23), at both ends of the damping; "
+        "the damper inside (23); the mass doubled, for the arm of Figs. 11 and 12. A single "
+        "wall can lose its stability (s4d-all-stabilising)",
     )
 
 

@@ -1,8 +1,8 @@
 r"""Is there an explicit stability boundary with delay and stiffness?
 
-The paper draws the boundary of the stable region by a grid, since the inequalities of the usual
+The paper computes the boundary of the stable region on a grid, since the inequalities of the usual
 criteria grow with the delay. But the characteristic polynomial is affine in $\alpha$ and $\beta$,
-and that is enough: on the unit circle one complex equation fixes both.
+so that one complex equation on the unit circle gives both.
 """
 
 from symhaptic.book.figures.arguments import crossing
@@ -21,7 +21,7 @@ def derive(page):
     )
     q = boundary.needed(plant.Sampled(n_1, n_0, a, e))
     page.step(
-        "A root on the circle needs one wall",
+        "A root on the circle determines one wall",
         polynomial / (z * top),
         alpha + beta * (1 - 1 / z) - q,
         name=r"\frac{p_1(z)}{zN(z)}",
@@ -40,7 +40,7 @@ def derive(page):
     )
     page.figure(
         "crossing",
-        "Stiffer and stiffer walls ($d=1$, $\\gamma=0.05$, $\\delta=0.4$), and their roots.",
+        r"Walls of increasing stiffness ($d=1$, $\gamma=0.05$, $\delta=0.4$), and their roots.",
         crossing,
         panels=(1, 2),
         height=0.45,
@@ -50,20 +50,20 @@ def derive(page):
         "roots crosses the circle. The other pieces are the lines of a root at 1 and at $-1$:"
     )
     page.step(
-        "A root at 1 leaves on the line $\\alpha=-\\gamma$",
+        r"A root at 1 means $\alpha=-\gamma$",
         polynomial.subs(z, 1),
         1 - a + e + (n_1 + n_0) * alpha,
         name="p_1(1)",
         because="zero for $\\alpha=-\\gamma$, as $1-a+e=\\gamma(n_1+n_0)$",
     )
     page.step(
-        "A root at $-1$ leaves on another line, here for even delays",
+        "A root at $-1$ means another line, here for even delays",
         polynomial.subs(d, 0).subs(z, -1),
         (n_1 - n_0) * (alpha + 2 * beta) - (1 + a + e),
         name="p_1(-1)",
         because="for odd delays the last bracket changes its sign",
     )
-    page.say("For a free mass, $\\gamma=\\delta=0$, the boundary is as short as one could wish:")
+    page.say(r"For a free mass, $\gamma=\delta=0$, the boundary is short:")
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     numbers = {a: free.a, e: free.e, n_1: free.n1, n_0: free.n0}
     short_stiffness = page.step(
@@ -81,7 +81,7 @@ def derive(page):
         boxed=True,
     )
     page.limit(
-        "At the origin damping over stiffness is the delay and a half",
+        r"At the origin $\beta/\alpha=d+\frac12$",
         short_damping / short_stiffness,
         theta,
         S.Zero,
@@ -98,14 +98,15 @@ def _settled(page):
         "as Q", boundary.wall(plant.Sampled(n_1, n_0, a, e)), [p.right for p in on_boundary().parts]
     )
     exact = page.lemma(
-        "A zero at $e^{j\\theta}$ means this wall, and this wall a zero there",
+        r"The polynomial has a zero at $e^{j\theta}$ for this wall and for no other",
         zero_on_circle_is_explicit(),
         because="for the numbers of any device whose $N$ does not vanish there",
     )
     page.lemma(
         "For a damped device $N$ does not vanish on the circle",
         numerator_on_circle(),
-        because="a held force that turns by $z$ does work, so that it moves the device",
+        because="a held force that is multiplied by $z$ per period does work, so that it moves the "
+        "device",
     )
     arm = (gamma, delta, d)
     given = [gamma >= 0, delta >= 0, d >= 0]
@@ -137,16 +138,15 @@ SPRING = Symbol("g")
 
 def _undamped(page):
     page.say(
-        "A mass with a spring swings for ever, and its boundary is as short as that of a free "
-        "mass. It shows where the boundary goes when $n_1=n_0$ and the line of a root at $-1$ is "
-        "gone."
+        "A mass with a spring and no damper has a boundary that is as short as that of a free "
+        "mass. It shows where the boundary goes for $n_1=n_0$, when no wall has a root at $-1$."
     )
     swinging = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
     arm = plant.Sampled(swinging.n1, swinging.n0, swinging.a, S.One)
     stiffness, damping = (side.xreplace({gamma: Omega**2}) for side in boundary.wall(arm))
-    page.define("The device swings by this angle in a period", gamma, Omega**2)
+    page.define("The natural frequency times the period is this angle", gamma, Omega**2)
     page.define(
-        "One function of the spring decides",
+        "One function of the stiffness",
         SPRING,
         gamma * (cos(Omega) - cos(theta)) / (1 - cos(Omega)),
     )
@@ -175,11 +175,11 @@ def begin(page, stiffness, damping):
     """The end at theta -> 0, in units of gamma, with x = cos Omega."""
     half = Rational(1, 2)
     page.say(
-        "It starts on the line $\\beta=\\alpha(d+\\frac12)$ of (25), but flatter; with "
-        "$x=\\cos\\Omega$:"
+        r"It starts on the line $\beta=\alpha(d+\frac12)$ of (25), with a smaller slope; with "
+        r"$x=\cos\Omega$:"
     )
     page.limit(
-        "The boundary starts from the stiffness $-\\gamma$",
+        r"The boundary starts at $\alpha=-\gamma$",
         stiffness,
         theta,
         S.Zero,
@@ -187,7 +187,7 @@ def begin(page, stiffness, damping):
         name=r"\alpha(\theta)/\gamma",
     )
     page.limit(
-        "The boundary starts from the damping $-(d+\\frac12)\\gamma$",
+        r"The boundary starts at $\beta=-(d+\frac12)\gamma$",
         damping,
         theta,
         S.Zero,
@@ -207,21 +207,21 @@ def begin(page, stiffness, damping):
     )
     page.limits((damping + d + half) / theta**2, theta, S.Zero, up)
     page.step(
-        "At its start the boundary is flatter than the line",
+        "The initial slope of the boundary is smaller than that of the line",
         up / right,
         d + half - (d + 1) * (2 * d + 1) * (2 * d + 3) / (12 * right),
         name=r"\frac{d\beta}{d\alpha}",
-        because="flatter for every spring and every delay; only for a free mass, $x\\to1$, it is "
-        "the line's",
+        because=r"smaller for every spring and every delay; only for a free mass, $x\to1$, both "
+        "slopes are equal",
     )
 
 
 def end(page):
-    """The end at theta -> pi, for whole delays."""
+    """The end at theta -> pi, for integer delays."""
     page.say(
-        "Towards the other end, for whole $d$, both grow without bound, as $n_1=n_0$ has no line "
-        "of a root at $-1$. As $\\sin(d+1)\\theta=(-1)^d\\sin(d+1)(\\pi-\\theta)$, their sum stays "
-        "close to a line:"
+        "Towards the other end, for integer $d$, both grow without bound, since for $n_1=n_0$ no "
+        r"wall has a root at $-1$. As $\sin(d+1)\theta=(-1)^d\sin(d+1)(\pi-\theta)$, their sum "
+        "stays close to a line:"
     )
     per_gamma = (x - cos(theta)) / (1 - x)
     page.limit(
@@ -234,7 +234,7 @@ def end(page):
     )
     per_gamma = per_gamma.subs(x, -1)
     page.step(
-        "For odd half swings, $x=-1$, it stays finite",
+        r"For $x=-1$, $\Omega$ an odd multiple of $\pi$, it stays finite",
         per_gamma * cos(ANGLE) / cos(theta / 2) ** 2,
         -cos(ANGLE),
         name=r"\frac{\alpha}{\gamma}\Big|_{x=-1}",

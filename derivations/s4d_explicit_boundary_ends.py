@@ -1,7 +1,7 @@
 r"""Where does the explicit boundary begin and end?
 
 The boundary runs through the angles $0<\theta<\pi$. We ask for its two ends, for the direction in
-which it starts, and how it lies there against the line $\beta+\delta=\alpha(d+\tfrac12)$ of (25).
+which it starts, and how it is related there to the line $\beta+\delta=\alpha(d+\tfrac12)$ of (25).
 """
 
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
@@ -25,28 +25,28 @@ def derive(page):
 def start(page):
     """The end at theta -> 0, and the slope there."""
     page.lemma(
-        "At $z=1$ the denominator is the spring times the numerator",
+        r"At $z=1$ the denominator is $\gamma$ times the numerator",
         device_static(assume(DEVICE)),
-        because="since $P(1)=1/\\gamma$. The spring $\\gamma$ takes the place of $a$ here",
+        because=r"since $P(1)=1/\gamma$. This eliminates $a$",
     )
-    page.say("Three more numbers of the arm keep the formulas short:")
-    page.define("The numerator's second number has a share $\\nu$", nu, NU)
-    page.define("At low frequencies the device shows the damping $s_1$", s_1, FIRST)
-    page.define("At low frequencies it shows the mass $s_2$", s_2, 1 / TOTAL - (1 - nu) * s_1)
+    page.say("Three more numbers of the device keep the formulas short:")
+    page.define(r"The share $\nu$ of the second coefficient of the numerator", nu, NU)
+    page.define("The low-frequency damping $s_1$ of the device", s_1, FIRST)
+    page.define("The low-frequency mass $s_2$ of the device", s_2, 1 / TOTAL - (1 - nu) * s_1)
     near = gamma + s_1 * (z - 1) + s_2 * (z - 1) ** 2 / (1 + (1 - nu) * (z - 1))
     arm = plant.Sampled(N_1, N_0, 1 + E - gamma * TOTAL, E)
     page.step(
-        "Near $z=1$ the arm is given by these three numbers",
+        "Near $z=1$ the device is given by these three numbers",
         1 / arm.transfer,
         near,
         name=r"P^{-1}(z)",
     )
     stiffness, damping = boundary.solved(on_circle(-(z**d) * near))
     page.limit(
-        "The boundary starts on the left bound", stiffness, theta, S.Zero, -gamma, name=alpha
+        r"The boundary starts at $\alpha=-\gamma$", stiffness, theta, S.Zero, -gamma, name=alpha
     )
     page.limit(
-        "The boundary starts from the damping $-s_1-d\\gamma$",
+        r"The boundary starts at $\beta=-s_1-d\gamma$",
         damping,
         theta,
         S.Zero,
@@ -69,7 +69,7 @@ def start(page):
         d + Rational(1, 2) - short / (12 * s_2 + 12 * (d + 1) * s_1 + 6 * d * (d + 1) * gamma),
         name=SLOPE,
         boxed=True,
-        because="less than that of the line wherever $n_1\\ge n_0$ and no $s_i$ is negative",
+        because=r"less than that of the line if $n_1\ge n_0$, $s_1\ge0$ and $s_2\ge0$",
     )
     return (up / right).subs({nu: NU, s_1: FIRST, s_2: SECOND})
 
@@ -97,13 +97,13 @@ def without_spring(page, slope):
         d + Rational(1, 2) - ((d + 1) ** 2 * delta + excess) / (2 + 2 * (d + 1) * delta),
         name=SLOPE,
         boxed=True,
-        because="it is the $d+\\tfrac12$ of (25) for $\\delta\\to0$ only",
+        because=r"it equals the $d+\tfrac12$ of (25) in the limit $\delta\to0$ only",
     )
     page.lemma(
-        "Without a spring the boundary starts flatter than the line of (25), for $\\delta>0$",
+        "Without a spring the boundary has a smaller initial slope than the line of (25), for "
+        r"$\delta>0$",
         cotangent_exceeds(),
-        because="this is the difference in the slope above; the boundary falls below the line at "
-        "once",
+        because="this is the difference in the slope above; the boundary begins below the line",
     )
 
 
@@ -146,12 +146,12 @@ def gap(page):
 
 
 def nyquist(page):
-    """The end at theta -> pi, for whole delays."""
+    """The end at theta -> pi, for integer delays."""
     a = symbols("a")
     arm = plant.Sampled(N_1, N_0, a, E)
     stiffness, damping = boundary.solved(on_circle(boundary.needed(arm)) * exp(-I * d * pi))
     end = N_1 * (1 + a + E) / (N_1 - N_0) ** 2 - (2 + a + d * (1 + a + E)) / (N_1 - N_0)
-    page.say("At the other end, for whole $d$ and $n_1\\ne n_0$, a factor $(-1)^d$ is left:")
+    page.say(r"At the other end, for integer $d$ and $n_1\ne n_0$, a factor $(-1)^d$ remains:")
     title, name = "At $\\theta\\to\\pi$ the damping is finite", r"(-1)^d\beta(\theta)"
     page.limit(title, damping, theta, pi, end, name=name)
     page.limit(

@@ -1,9 +1,9 @@
-r"""Which signs have the numbers of an arm?
+r"""Signs of the coefficients of the sampled device
 
-At the start of the boundary an arm enters by $\nu$, $s_1$, $s_2$ and by the gap
-$g=s_1-\delta-\frac12\gamma$ between that start and the line of (25). We ask for
-their signs, for every arm that swings by less than half a turn in a period,
-$\gamma-\frac14\delta^2<\pi^2$: the limit (30) of the paper.
+At the start of the boundary the device enters by $\nu$, $s_1$, $s_2$ and by the gap
+$g=s_1-\delta-\frac12\gamma$ between that start and the line of (25). We ask for their signs if the
+damped frequency $\omega_d$ of the device is below the Nyquist frequency: $\omega_dT<\pi$, that is
+$\gamma-\frac14\delta^2<\pi^2$, the limit (30) of the paper.
 """
 
 from symhaptic.book.lemmas.arm_numbers import ARM, gap, mass, pushed, share, signs
@@ -12,31 +12,32 @@ from symhaptic.book.lemmas.prelude import *
 
 def derive(page):
     page.say(
-        "A blow moves such an arm forwards for all of the period. Its numbers are means of that "
-        "motion: $n_1$ is the way under a force that has been held for a period, and $n_0$ what "
-        "the force leaves for the period after it. So their signs follow from those of the weights."
+        "The impulse response of such a device is positive during the whole period. Its "
+        "coefficients are integrals of this response: $n_1$ is the displacement after a force is "
+        "held for one period, and $n_0$ belongs to the period after it. So their signs follow "
+        "from those of the weights."
     )
     page.lemma(
-        "A device that swings by less than half a turn goes forwards under a force held",
+        r"A device with $\omega_dT<\pi$ has $n_1>0$ and $n_0>0$",
         conj(*pushed()),
         because="the weights are 1, $e^{-\\delta u}$ and their difference",
     )
     page.lemma(
-        "A device that swings by less than half a turn has $0<\\nu\\le\\frac12$",
+        r"A device with $\omega_dT<\pi$ has $0<\nu\le\frac12$",
         conj(*share()),
         because="with $\\nu=n_0/(n_1+n_0)$",
     )
     page.lemma(
-        "A device that swings by less than half a turn has $s_2>0$",
+        r"A device with $\omega_dT<\pi$ has $s_2>0$",
         mass(),
         because="it is $n_1^2A(-n_0/n_1)/(n_1+n_0)^3$, and the roots of $A$ are not real, or "
         "positive",
     )
     page.lemma(
-        "A device that swings by less than half a turn has $s_1\\ge\\delta+\\frac12\\gamma$",
+        r"A device with $\omega_dT<\pi$ has $s_1\ge\delta+\frac12\gamma$",
         gap(),
-        because="with $s_1=(1-e+\\gamma n_0)/(n_1+n_0)$; the difference is the error of the "
-        "trapezium rule for a convex function",
+        because=r"with $s_1=(1-e+\gamma n_0)/(n_1+n_0)$; the difference is the error of the "
+        "trapezoidal rule for a convex function",
     )
     numbers, (device, *arms) = (n_1, n_0, a, e), ARM
     found = for_all(numbers, [device], signs())

@@ -1,8 +1,8 @@
-r"""How much of an arm's spring shows in the region without delay?
+r"""How much does an arm's stiffness change the region without delay?
 
-Fig. 7 of the paper draws the stable walls for $d=0$ at the limits of the arm's spring and damping,
-$\gamma\le0.001$ and $\delta\le0.02$. The spring moves the left bound; we ask how far it moves the
-rest.
+Fig. 7 of the paper shows the stable walls for $d=0$ at the limits of the arm's stiffness and
+damping, $\gamma\le0.001$ and $\delta\le0.02$. The stiffness moves the left bound; we ask how far it
+moves the rest of the boundary.
 """
 
 from symhaptic.book.figures.stability import undelayed
@@ -18,7 +18,7 @@ def derive(page):
     side = a * n_0 - (1 - e) * n_1 - 2 * n_0 * x
     stiffness, damping = (of.subs(d, 0) for of in boundary.wall(plant.Sampled(n_1, n_0, a, e)))
     page.say("For $d=0$ the explicit boundary is a pair of rational functions of a cosine.")
-    page.define("The angle enters by its cosine", x, cos(theta))
+    page.define("The cosine of the angle is the parameter", x, cos(theta))
     page.step(
         "The boundary without delay has this stiffness",
         stiffness,
@@ -30,8 +30,8 @@ def derive(page):
     )
     page.same("the curve as a graph", top / size, CURVE.subs(beta, side / size))
     page.say(
-        "Each of its dampings has one stiffness. There Jury's minor vanishes, which is linear in "
-        "$\\alpha$."
+        "For each damping there is one stiffness at which Jury's minor, which is linear in "
+        r"$\alpha$, vanishes."
     )
     curve = page.lemma(
         "The stable walls are those above $\\beta=-1$ between a line and this curve",
@@ -39,11 +39,10 @@ def derive(page):
         because="of Jury's inequalities the two half planes follow from these",
     )
     page.say(
-        "Take a wall that is stable with a spring $\\gamma$, and another spring $\\gamma'$. Move "
-        "the wall to the right by $\\gamma-\\gamma'$, and by a share of its way towards "
-        "$(-\\gamma',1)$: $0.0012$ of it, and $0.72$ of $\\gamma-\\gamma'$ more where the other "
-        "spring is the softer one. There Jury's inequalities hold for the other spring. And each "
-        "wall is what some wall, moved, becomes."
+        r"Take a wall that is stable with a spring $\gamma$, and another spring $\gamma'$. Move "
+        r"the wall to the right by $\gamma-\gamma'$, and towards $(-\gamma',1)$ by the fraction "
+        r"$0.0012$ of the distance, plus $0.72\,(\gamma-\gamma')$ if $\gamma'<\gamma$. The moved "
+        "wall satisfies Jury's inequalities for the other spring, and the map is invertible."
     )
     same = page.lemma(
         "Two springs have the same stable walls, within 0.002",
@@ -53,8 +52,8 @@ def derive(page):
         boxed=True,
     )
     page.say(
-        "The region is $0.69$ wide and $2$ high: this is the thickness of a line in print. On the "
-        "left the regions end at $\\alpha=-\\gamma$, $0.001$ apart at most."
+        "The region is $0.69$ wide and $2$ high: this is the thickness of a printed line. On the "
+        r"left the regions end at $\alpha=-\gamma$, $0.001$ apart at most."
     )
     page.figure(
         "fig7",

@@ -1,7 +1,7 @@
-r"""What does an arm's spring change around the origin?
+"""How does an arm's stiffness change the region near the origin?
 
-Fig. 8 of the paper looks at the stable walls for $d=0$ near the origin, for five springs. The left
-bound moves with the spring, as it should. Does the bottom?
+Fig. 8 of the paper shows the stable walls for $d=0$ near the origin, for five stiffnesses of the
+arm. The left bound moves with the stiffness. Does the lower bound?
 """
 
 from symhaptic.book.figures.stability import origin as close_up
@@ -28,7 +28,7 @@ def derive(page):
         + alpha * (total / 2 * (1 - n_0 * beta) - n_0 * (1 + beta * n_1))
         - gamma * n_0 * beta * total,
         name="M",
-        because="the last three terms are small, and only the very last one has the spring in it",
+        because=r"the last three terms are small, and only the last one contains $\gamma$",
     )
     found = page.lemma(
         "Near the origin walls right of $\\alpha=-\\gamma$ and above the line are the stable ones",
@@ -37,14 +37,14 @@ def derive(page):
         boxed=True,
     )
     page.say(
-        "All bottom boundaries of one $\\delta$ are parts of one line, to within half a per cent "
-        "of the height of Fig. 8. The spring makes that line longer: the corner at its left end "
-        "moves along it to $\\alpha=-\\gamma$, and so about $\\gamma/2$ down."
+        r"All lower boundaries of one $\delta$ are parts of one line, to within half a percent of "
+        "the height of Fig. 8. With stiffness the line is longer: the corner at its left end "
+        r"moves along it to $\alpha=-\gamma$, and thus down by about $\gamma/2$."
     )
     page.figure(
         "fig8",
         "Fig. 8 of the paper: close-up of Fig. 7 with five stiffnesses. Left bounds at "
-        "$\\alpha=-\\gamma$, one bottom line for each $\\delta$.",
+        r"$\alpha=-\gamma$, one lower line for each $\delta$.",
         close_up,
     )
     arm = {alpha: S.Zero, beta: S.Zero, gamma: STIFF, delta: DAMPED}

@@ -1,8 +1,8 @@
-r"""Does an arm's spring show in the region with a delay?
+r"""How much does an arm's stiffness change the region with a delay?
 
-Fig. 9 of the paper draws the stable walls for $d=1$ and $d=2$ at the limits of the arm's spring and
-damping. The spring moves the left bound by $\gamma\le0.001$, as it does without delay, but the
-region around it is smaller. How much?
+Fig. 9 of the paper shows the stable walls for $d=1$ and $d=2$ at the limits of the arm's stiffness
+and damping. The stiffness moves the left bound by $\gamma\le0.001$, as it does without delay, but
+the region is smaller. We compare the two.
 """
 
 from symhaptic.book.figures.stability import delayed
@@ -36,9 +36,9 @@ def derive(page):
                 none_above((spring, DAMPED), late)[1],
             )
     page.say(
-        "So the spring's $0.001$ is more than $1/170$ of the width for $d=1$ and more than $1/80$ "
-        "for $d=2$; without delay it is $1/690$. The regions reach the line $\\alpha=-\\gamma$: "
-        "stable walls lie next to it."
+        r"So $\gamma=0.001$ is more than $1/170$ of the width for $d=1$ and more than $1/80$ for "
+        r"$d=2$; without delay it is $1/690$. The regions reach the line $\alpha=-\gamma$: stable "
+        "walls lie next to it."
     )
     beside = {alpha: -STIFF + THIN / 2, gamma: STIFF, delta: DAMPED}
     for late in (1, 2):
@@ -61,13 +61,16 @@ def derive(page):
     )
     page.say(
         "Two walls of each region, one next to the left bound and one next to the tip, are shown "
-        "to be stable by their roots. That none is stiffer says one point of the circle: of a "
-        "polynomial $p$ of degree $n$ with its zeros inside, $n|p|^2<2\\Re\\bar p\\,zp'$ there."
+        "to be stable by their roots. One point of the circle shows that no stable wall is "
+        r"stiffer: for a polynomial $p$ of degree $n$ with its zeros inside, $n|p|^2<2\Re\bar "
+        r"p\,zp'$ there."
     )
     page.lemma(
-        "Walls that no boundary parts from a stable wall are stable",
+        "Walls that no boundary separates from a stable wall are stable",
         enclosed_walls_are_stable(),
-        because="on the way between two walls the zeros are continuous, and none crosses the "
-        "circle; for every plant and every whole delay",
+        because="along a path between two walls the zeros are continuous, and none crosses the "
+        "circle; for every plant and every integer delay",
     )
-    page.settle("fig9", drawn(), note="for $d=2$ the spring takes over a percent of the width")
+    page.settle(
+        "fig9", drawn(), note="for $d=2$ the spring changes the width by more than one percent"
+    )

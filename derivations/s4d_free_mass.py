@@ -1,8 +1,8 @@
 r"""Which walls of a free mass are stable?
 
-A mass without arm and damping, $\gamma=\delta=0$, with a delay of $d$ whole periods: its boundary
-is known in closed form. We show that the first arc, $0<(d+1)\theta<\pi/2$, and the line $\alpha=0$
-enclose the stable walls, all of them and nothing else.
+A mass without arm and damping, $\gamma=\delta=0$, with an integer delay of $d$ periods: its
+boundary is known in closed form. We show that the first arc, $0<(d+1)\theta<\pi/2$, and the line
+$\alpha=0$ enclose exactly the stable walls.
 """
 
 from symhaptic.book.figures.passivity import free_mass
@@ -18,15 +18,15 @@ CURVATURE = (d + 1) ** 2 * cos(ANGLE) + alpha * BENT / 8
 def derive(page):
     polynomial = loop.characteristic(FREE)
     stiffness, damping = boundary.wall(plant.sampled(plant.normalised(FREE)))
-    page.define("The angle enters by the tangent of its half", tau, tan(theta / 2))
+    page.define(r"The parameter is $\tau=\tan(\theta/2)$", tau, tan(theta / 2))
     page.step(
-        "On the boundary of a free mass the stiffness is a cosine",
+        "On the boundary of a free mass the stiffness is a multiple of a cosine",
         stiffness,
         4 * tau**2 * cos(ANGLE),
         name=r"\alpha(\theta)",
     )
     page.step(
-        "On the boundary of a free mass stiffness and twice the damping are a sine",
+        r"On the boundary of a free mass $\alpha+2\beta$ is a multiple of a sine",
         stiffness + 2 * damping,
         4 * tau * sin(ANGLE),
         name=r"\alpha(\theta)+2\beta(\theta)",
@@ -35,14 +35,14 @@ def derive(page):
     page.lemma(
         "On the boundary of a free mass the stiffness and the angle give the damping",
         damping_given(),
-        because="for a given $\\alpha$ it grows with $\\theta$",
+        because=r"for a given $\alpha$ the damping grows with $\theta$",
     )
     page.say(
-        "Therefore the damping at $\\theta_1$ is less than at $\\theta_2$, and at every later "
-        "angle it is more than at $\\theta_2$ or negative: the boundary does not enter the region "
-        "between the two, $0<\\alpha<\\alpha_{\\max}$. Nor has a wall there a root at 1 or, by the "
-        "real part, at $-1$. The region is of one piece, so all its walls are stable if one is. "
-        "Near $\\alpha=0$ it has the walls of small positive $\\beta$:"
+        r"Therefore the damping at $\theta_1$ is less than at $\theta_2$, and at every later "
+        r"angle it is more than at $\theta_2$ or negative: the boundary does not enter the region "
+        r"between the two, $0<\alpha<\alpha_{\max}$. A wall there has no root at 1 and, by the "
+        "real part, none at $-1$. The region is connected, so all its walls are stable if one "
+        r"is. Near $\alpha=0$ it contains walls of small positive $\beta$:"
     )
     loose = z ** (d + 1) * (z - 1) + beta * (z + 1) / 2
     page.step(
@@ -59,7 +59,7 @@ def derive(page):
         because="from $z=1$ at $\\beta=0$; the other $d+1$ roots start at 0",
     )
     page.step(
-        "The first root follows",
+        "The first root near 1 moves inside",
         (-diff(polynomial, alpha) / diff(polynomial, z)).subs({alpha: 0, z: 1}),
         -1 / beta,
         name=r"\frac{dz}{d\alpha}",
@@ -94,18 +94,18 @@ def necessary(page, polynomial):
     )
     root = x + I * y
     page.step(
-        "A root $r=x+jy$ has this share in its turning",
+        r"The phase of the polynomial grows with $\theta$ by this contribution of a root $r=x+jy$",
         real_part(on_circle(z / (z - root))) - HALF,
         (1 - x**2 - y**2) / (2 * ((cos(theta) - x) ** 2 + (sin(theta) - y) ** 2)),
         name=r"\frac{d}{d\theta}\arg(e^{j\theta}-r)-\tfrac12",
         because="positive for $|r|<1$",
     )
     page.say(
-        "With all $d+3$ roots inside, $p_1(e^{j\\theta})$ turns by $(d+3)\\pi$ over "
-        "$0<\\theta<\\pi$, and the left side above by $(d+2)\\pi$, from $\\alpha>0$ and forward "
-        "all the time, as $\\frac12(d+3)>1$. So its real part has $d+2$ zeros; at the first two, "
-        "$\\theta_1<\\theta_2$, its imaginary part is positive and negative. The real part "
-        "vanishes where $h=\\cos(d+1)\\theta-\\frac\\alpha4\\cot^2\\frac\\theta2$ does."
+        r"With all $d+3$ roots inside, the phase of $p_1(e^{j\theta})$ grows by $(d+3)\pi$ over "
+        r"$0<\theta<\pi$, and that of the left side above by $(d+2)\pi$. It starts at $\alpha>0$ "
+        r"and always increases, as $\frac12(d+3)>1$. So its real part has $d+2$ zeros; at the "
+        r"first two, $\theta_1<\theta_2$, its imaginary part is positive and negative. The real "
+        r"part vanishes where $h=\cos(d+1)\theta-\frac\alpha4\cot^2\frac\theta2$ does."
     )
     level = cos(ANGLE) - alpha / 4 * cot(theta / 2) ** 2
     page.step("The function $h$ has this curvature", -diff(level, theta, 2), CURVATURE, name="-h''")
@@ -115,13 +115,13 @@ def necessary(page, polynomial):
         because="so $h$ is concave there",
     )
     page.say(
-        "A zero of $h$ needs $\\cos(d+1)\\theta>0$. On the first stretch, $(d+1)\\theta<\\pi/2$, "
-        "and on each full one around $2\\pi,4\\pi,\\ldots$ a concave $h$ has at most two; on the "
-        "half stretch before $\\theta=\\pi$, for odd $d$, it has one, as it rises from "
-        "negative values to 1. These are $d+2$ at most, so each stretch must have all of its own, "
-        "and $\\theta_1$, $\\theta_2$ lie on the first arc. There $\\alpha$ is that of the "
-        "boundary, and by the imaginary part $\\beta$ lies between the two dampings. No other wall "
-        "is stable."
+        r"A zero of $h$ requires $\cos(d+1)\theta>0$. On the first interval, $(d+1)\theta<\pi/2$, "
+        r"and on each interval around $2\pi,4\pi,\ldots$ a concave $h$ has at most two zeros. On "
+        r"the half interval before $\theta=\pi$, for odd $d$, it has one, as it rises from "
+        "negative values to 1. These are at most $d+2$ zeros, so each interval has its maximal "
+        r"number, and $\theta_1$, $\theta_2$ lie on the first arc. There $\alpha$ is that of the "
+        r"boundary, and by the imaginary part $\beta$ lies between the two dampings. No other "
+        "wall is stable."
     )
 
 

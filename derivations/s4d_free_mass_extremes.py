@@ -1,4 +1,4 @@
-r"""How stiff and how damped can the wall of a free mass be?
+r"""Maximum stiffness and damping of the stable walls of a free mass
 
 The stable walls of a free mass lie between the line $\alpha=0$ and the first arc of the boundary,
 $0<(d+1)\theta\le\pi/2$. On it we look for the largest stiffness and the largest damping.
@@ -28,7 +28,7 @@ DELAYS = range(9)
 def derive(page):
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     stiffness, damping = boundary.wall(free)
-    page.define("The angle enters by the tangent of its half", tau, tan(theta / 2))
+    page.define(r"The parameter is $\tau=\tan(\theta/2)$", tau, tan(theta / 2))
     page.step(
         "The stiffness on the arc is quadratic in $\\tau$",
         stiffness,
@@ -73,8 +73,8 @@ def derive(page):
         -bend.subs(theta, pi / (2 * (d + 1))),
         (d + 1) * sin(pi / (2 * (d + 1))),
         name=r"-g\bigl(\tfrac{\pi}{2(d+1)}\bigr)",
-        because="so for every real $d$ one angle has the largest stiffness, that with "
-        "$(d+1)\\tan(d+1)\\theta\\,\\sin\\theta=2$",
+        because="so for every real $d$ the largest stiffness is at the angle with "
+        r"$(d+1)\tan(d+1)\theta\,\sin\theta=2$",
     )
     whole_delays(page, stiffness, bend)
 
@@ -93,10 +93,10 @@ def signs():
 def whole_delays(page, stiffness, bend):
     """The largest stiffness as an algebraic number."""
     page.say(
-        "For whole $d$ all this is algebraic in $x=\\cos\\theta$: with the Chebyshev polynomial "
-        "$C=\\cos(d+1)\\theta$ of $x$, the largest $\\alpha/4$ is $\\rho=\\frac{1-x}{1+x}C$ at the "
-        "root of $g=2C-(1-x^2)C'$ on the arc. Multiplication by $\\rho$ modulo $g$ has the "
-        "characteristic polynomial $\\mu_d$, which turns out to be irreducible:"
+        r"For integer $d$ all this is algebraic in $x=\cos\theta$: with the Chebyshev polynomial "
+        r"$C=\cos(d+1)\theta$ of $x$, the largest $\alpha/4$ is $\rho=\frac{1-x}{1+x}C$ at the "
+        r"root of $g=2C-(1-x^2)C'$ on the arc. Multiplication by $\rho$ modulo $g$ has the "
+        r"characteristic polynomial $\mu_d$, which is irreducible:"
     )
     wave = cos(ANGLE)
     page.same(

@@ -1,8 +1,8 @@
 r"""How does the largest stiffness of a free mass fall with the delay?
 
 On the arc that bounds the stable walls of a free mass let $\varphi=(d+1)\theta$, between 0 and
-$\pi/2$, and $h=1/(d+1)$. We look for what $(d+1)^2\alpha_{\max}$ tends to for long delays, how
-fast, and on which side it stays.
+$\pi/2$, and $h=1/(d+1)$. We look for the limit of $(d+1)^2\alpha_{\max}$ for long delays, for the
+rate of convergence, and for bounds.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -18,10 +18,10 @@ AT = r"at $\varphi=\varphi_*$"
 def derive(page):
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     stiffness = boundary.wall(free)[0].subs(d, 1 / h - 1).subs(theta, h * phi)
-    page.define("The delay by its share in the loop", d, 1 / h - 1)
+    page.define("The reciprocal of the delay plus one period", d, 1 / h - 1)
     page.define("The boundary's stiffness", alpha, stiffness)
     scaled = page.step(
-        "With $\\varphi$ for the angle the stiffness has a factor near 1",
+        r"As a function of $\varphi$ the stiffness is its limit times a factor near 1",
         stiffness / h**2,
         LONG * (tan(h * phi / 2) / (h * phi / 2)) ** 2,
         name=r"(d+1)^2\alpha",
@@ -56,7 +56,7 @@ def derive(page):
         "and $(d+1)^2\\alpha_{\\max}$ falls all the way, from $12-8\\sqrt2$ without delay."
     )
     factor = (tan(h * pi / 4) / (h * pi / 4)) ** 2
-    page.limit("The ratio of the two sides tends to 1", factor, h, S.Zero, S.One)
+    page.limit("The ratio of the two bounds tends to 1", factor, h, S.Zero, S.One)
     expansion(page, scaled, angle)
 
 
@@ -84,8 +84,8 @@ def expansion(page, scaled, angle):
     )
     shift = diff(next_one, phi).subs(there) ** 2 / (2 * bent)
     page.say(
-        "With them $(d+1)^2\\alpha_{\\max}=\\varphi_*^2\\cos\\varphi_*\\,"
-        "(1+a_2h^2+a_4h^4+\\ldots)$, where the move of the angle enters $a_4$ only:"
+        r"With them $(d+1)^2\alpha_{\max}=\varphi_*^2\cos\varphi_*\,(1+a_2h^2+a_4h^4+\ldots)$, "
+        "where the change of the angle enters $a_4$ only:"
     )
     second, third = phi**2 / 6, phi**4 * (Rational(17, 720) + 1 / (18 * (6 + phi**2)))
     page.step(

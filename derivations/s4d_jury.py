@@ -1,9 +1,9 @@
-r"""Which inequalities keep every root inside the unit circle?
+"""Which inequalities keep every root inside the unit circle?
 
-The paper names Jury's criterion for the stable regions and leaves it for a grid, since its
-inequalities soon become complex. We look for few and small inequalities that are equivalent to
-stability, for any polynomial. Half of Jury's determinants turn out to be enough, with half planes
-in place of the others (Anderson and Jury, 1973).
+The paper names Jury's criterion for the stable regions, but uses a grid, since the inequalities
+soon become complex. We look for few and small inequalities that are equivalent to stability, for
+any polynomial. Half of Jury's determinants are sufficient, with half planes in place of the others
+(Anderson and Jury, 1973).
 """
 
 from sympy import Matrix, S, expand, symbols
@@ -25,34 +25,36 @@ def derive(page):
     )
     halves(page)
     page.say(
-        "On the circle $z^{-n/2}p$ is $\\tfrac12F+j\\sin\\theta\\,G$ for even $n$ and "
-        "$\\cos\\tfrac\\theta2\\,F+j\\sin\\tfrac\\theta2\\,G$ for odd $n$. Let all roots lie "
-        "inside. Then every factor $z-z_i$ turns forward, and the argument grows steadily, by "
-        "$n\\pi/2$ over $0<\\theta<\\pi$. It passes the imaginary axis ($n$ even) or the real axis "
-        "($n$ odd) $m$ times. Each time $F$ or $G$ has a root, real, simple and with $|x|<2$. That "
-        "the axis is passed forward says $F'G>0$ there, or $FG'<0$ at the roots of $G$."
+        r"On the circle $z^{-n/2}p$ is $\tfrac12F+j\sin\theta\,G$ for even $n$ and "
+        r"$\cos\tfrac\theta2\,F+j\sin\tfrac\theta2\,G$ for odd $n$. Let all roots lie inside. "
+        r"Then the argument of every factor $z-z_i$ increases, and that of $p$ grows by $n\pi/2$ "
+        r"over $0<\theta<\pi$. It crosses the imaginary axis ($n$ even) or the real axis ($n$ "
+        "odd) $m$ times. Each time $F$ or $G$ has a root, real, simple and with $|x|<2$. The "
+        "direction of the crossing gives $F'G>0$ there, or $FG'<0$ at the roots of $G$."
     )
     page.say(
-        "Conversely, let all $m$ roots of $F$ or of $G$ be like that and $p(1)>0$, for odd $n$ "
-        "also $G(2)>0$. The argument starts at 0, passes the axis $m$ times forward and ends on an "
-        "axis: after $m$ half turns for even $n$, a quarter turn later for odd $n$. That is "
-        "$n\\pi/2$, so $p$ turns $n$ times around the full circle, and all roots lie inside."
+        "Conversely, let all $m$ roots of $F$ or of $G$ have these properties and $p(1)>0$, for "
+        "odd $n$ also $G(2)>0$. The argument starts at 0, crosses the axis $m$ times in the "
+        r"positive direction and ends on an axis: at $m\pi$ for even $n$ and at $m\pi+\frac\pi2$ "
+        r"for odd $n$. That is $n\pi/2$, so $p$ encircles the origin $n$ times on the full "
+        "circle, and all roots lie inside."
     )
     page.say(
-        "Real, simple and passed forward: this is decided by a symmetric matrix $B$ of order $m$. "
-        "It holds the coefficients of $(F(x)G(y)-F(y)G(x))/(x-y)$, the highest powers first."
+        "A symmetric matrix $B$ of order $m$ decides whether the roots are real, simple and "
+        "crossed in the positive direction. It holds the coefficients of "
+        "$(F(x)G(y)-F(y)G(x))/(x-y)$, the highest powers first."
     )
     bezout(page)
     page.say(
-        "If $B$ is positive definite, $F$ (or $G$) has no complex pair $\\xi,\\bar\\xi$ and no "
+        r"If $B$ is positive definite, $F$ (or $G$) has no complex pair $\xi,\bar\xi$ and no "
         "double root, where the form would vanish, and $F'G>0$ (or $FG'<0$) at each root. "
         "Conversely real simple roots with this sign make the form a sum of $m$ squares with "
-        "positive weights. So all is well if the $m$ leading minors of $B$ are positive and the "
-        "roots have $|x|<2$. For even $n$ the first row has the factor $f_m=a_n+a_0$; it is taken "
-        "out, since the following conditions make it positive."
+        "positive weights. So all roots lie inside if the $m$ leading minors of $B$ are positive "
+        "and the roots have $|x|<2$. For even $n$ the first row has the factor $f_m=a_n+a_0$; it "
+        "is taken out, since the following conditions make it positive."
     )
     page.step(
-        "The circle becomes an axis",
+        "The circle is mapped to the imaginary axis",
         (z + 1 / z).subs(z, (1 + s) / (1 - s)),
         2 * (1 + s**2) / (1 - s**2),
         name="x",

@@ -2,7 +2,7 @@ r"""How do the inequalities grow with the delay?
 
 The criterion of \chapter{s4d_jury} is applied to the loop, with the device's numbers $n_1$, $n_0$,
 $a$ and $e$ left as symbols. Which of its inequalities form the boundary of the stable region, is
-any of them idle, and how large do they become?
+any of them redundant, and how large do they become?
 """
 
 from itertools import combinations
@@ -26,7 +26,7 @@ HEAD = ["$d$", "inequalities", "half planes", "terms", "degree in $\\alpha$", "i
 def derive(page):
     page.say("Without delay, $n=3$, there are three half planes and one minor, for any device:")
     found = page.lemma(
-        "Without delay four inequalities say which walls are stable",
+        "Without delay a wall is stable if and only if four inequalities hold",
         collected(
             by_inequalities(0),
             1 - a + e + (n_1 + n_0) * alpha > 0,
@@ -39,13 +39,15 @@ def derive(page):
             - n_0 * alpha * (1 + n_1 * beta)
             > 0,
         ),
-        because="for the numbers of any device; a theorem of this kind holds for each whole delay",
+        because="for the numbers of any device; a theorem of this kind holds for each integer "
+        "delay",
         boxed=True,
     )
     none_is_idle(page, found.conclusion.of[1])
     page.say(
-        "The function \\texttt{jury} and the command \\texttt{symhaptic jury} give the "
-        "inequalities for every whole delay, with the device's numbers as symbols or in numbers."
+        r"The function \texttt{jury} and the command \texttt{symhaptic jury} give the "
+        "inequalities for every integer delay, with the device's numbers as symbols or in "
+        "numbers."
     )
     page.state(
         "jury-inequalities",
@@ -67,15 +69,18 @@ def derive(page):
         [row(delay) for delay in range(9)],
     )
 
-    page.say("The largest one has a meaning. For roots $r_1,\\ldots,r_n$ of a monic polynomial:")
+    page.say(
+        r"The largest inequality has an interpretation. For roots $r_1,\ldots,r_n$ of a monic "
+        "polynomial:"
+    )
     pairs(page)
     page.say(
-        "It is so for every $n$. Up to a positive number the last minor is the resultant of $F$ "
-        "and $G$. That is zero where they share a root $x$, where $p(z)=p(1/z)=0$, so it has every "
-        "factor $1-r_ir_k$; the degrees agree, and both sides are 1 for $z^n$. On the way out of "
-        "the stable region \\emph{only $p(1)$, $p(-1)$ and the last minor can be the first to "
-        "vanish}: a root leaves at 1, at $-1$ or with its conjugate, $r\\bar r=1$. The others tell "
-        "the region from places with an even number of roots outside."
+        "This holds for every $n$. Up to a positive factor the last minor is the resultant of "
+        "$F$ and $G$. That is zero where they share a root $x$, where $p(z)=p(1/z)=0$, so it has "
+        "every factor $1-r_ir_k$; the degrees agree, and both sides are 1 for $z^n$. On a path "
+        r"out of the stable region \emph{only $p(1)$, $p(-1)$ and the last minor can vanish "
+        r"first}: a root leaves at 1, at $-1$ or with its conjugate, $r\bar r=1$. The other "
+        "inequalities exclude walls with an even number of roots outside."
     )
 
 
@@ -101,7 +106,7 @@ def none_is_idle(page, four):
             fails_alone(four.parts, place, (device.n1, device.n0, device.a, device.e, *wall)),
             because=because,
         )
-    page.say("So none of the four can be left out.")
+    page.say("So none of the four inequalities is redundant.")
 
 
 def fails_alone(inequalities, place, numbers):

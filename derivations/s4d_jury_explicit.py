@@ -1,8 +1,8 @@
 r"""Which walls are stable without delay?
 
 Gil et al. solved the inequalities for $d=0$ without a spring. There are four, and the last is
-linear in $\alpha$, so that its boundary can be solved with any spring. Without a spring one
-formula is enough, and we show for which devices.
+linear in $\alpha$, so that its boundary has a solution with any spring. Without a spring one
+formula is sufficient, and we show for which devices.
 """
 
 from symhaptic.book.lemmas.damped_mass import signs, stable_damped_mass
@@ -20,10 +20,10 @@ def derive(page):
     held = plant.sampled(plant.normalised(FULL), split=c)
     rest = held.transfer.subs(z, 1).subs(gamma, (delta**2 - c**2) / 4)
     page.same("at rest", rest, 4 / (delta**2 - c**2))
-    page.say("A spring has $P(1)=1/\\gamma$, that is $a=1+e-\\gamma(n_1+n_0)$. So for any device:")
+    page.say(r"With a spring $P(1)=1/\gamma$, that is $a=1+e-\gamma(n_1+n_0)$. So for any device:")
     spring = {a: 1 + e - gamma * RISE}
     one = RISE * (alpha + gamma)
-    page.step("One side is the line $\\alpha=-\\gamma$", first.subs(spring), one, name="p_1(1)")
+    page.step(r"One half plane is $\alpha>-\gamma$", first.subs(spring), one, name="p_1(1)")
     top = (1 - n_0 * beta) * (RISE * beta + 1 - e + gamma * n_0)
     below = n_0 * (1 + n_1 * beta)
     split = top - below * (alpha + gamma)
@@ -36,7 +36,7 @@ def derive(page):
     page.lemma(
         "At this stiffness the minor vanishes, with any spring",
         combined(Eq(split, 0), [assume(Eq(alpha + gamma, top / below)), -below]),
-        because="a spring needs neither a grid nor a parameter",
+        because="with a spring neither a grid nor a parameter is needed",
         boxed=True,
     )
     page.say(
@@ -48,15 +48,15 @@ def derive(page):
     page.same("the trace", DAMPED.a, 1 + DAMPED.e)
     minor = minor.subs(a, 1 + e).subs(e, 1 - delta * RISE)
     last = RISE * (beta + delta) * (1 - n_0 * beta) - n_0 * alpha * (1 + n_1 * beta)
-    page.step("Without a spring the minor keeps its shape", minor, last, name=r"\Delta_2")
+    page.step("Without a spring the minor has the same form", minor, last, name=r"\Delta_2")
     page.lemma(
-        "The numerator of a damped mass has positive coefficients, and $n_1$ is not the smaller",
+        r"The numerator of a damped mass has $0<n_0\le n_1$",
         conj(*signs()),
-        because="a blow moves the device forward for all of the period",
+        because="the impulse response of the device is positive during the period",
     )
     page.lemma(
-        "Without spring and delay, with $\\delta\\le\\frac13$, the minor and two bounds say which "
-        "walls are stable",
+        r"Without spring and delay, with $\delta\le\frac13$, the minor and two bounds decide "
+        "stability",
         stable_damped_mass(),
         because="a stable wall has $1+n_1\\beta>0$ and $n_0\\beta<1$, so that the minor is not "
         "positive for $\\beta\\le-\\delta$; the other two half planes follow from these three "
@@ -101,7 +101,7 @@ def formulas(page, minor):
         name=r"\alpha_0",
     )
     page.lemma(
-        "Three inequalities say which walls of a free mass are stable without delay",
+        "Without delay three inequalities decide the stability of a free mass",
         collected(
             free_by_inequalities(0),
             alpha > 0,

@@ -1,8 +1,8 @@
 r"""Is there an explicit solution with a delay of one period?
 
-The paper says that only an implicit one could be determined for $d=1$. We write it down, for every
-device, and find that it is quadratic in $\alpha$. For longer delays we show that it says the same
-as the boundary whose every point is explicit.
+The paper says that only an implicit solution could be determined for $d=1$. We write it down for
+every device and find that it is quadratic in $\alpha$. For longer delays we show that it agrees
+with the explicit boundary.
 """
 
 from symhaptic.book.figures.passivity import free_mass_inequalities
@@ -45,10 +45,10 @@ def free_mass(page):
     minor = 2 * beta * (4 - 4 * beta - beta**2) - (beta**2 + 12) * alpha - 2 * alpha**2
     four = collected(free_by_inequalities(1), alpha > 0, PLANE > 0, 2 + beta > 0, minor > 0)
     page.lemma(
-        "Four inequalities say which walls of a free mass are stable with one period of delay", four
+        "With one period of delay four inequalities decide the stability of a free mass", four
     )
     page.lemma(
-        "Three inequalities say which walls of a free mass are stable with one period of delay",
+        "With one period of delay three inequalities decide the stability of a free mass",
         chained(four, three_are_enough(minor, *four.conclusion.of[1].parts)),
         because="for $-2<\\beta\\le0$ the minor is negative, as "
         "$4-4\\beta-\\beta^2=4-\\beta(4+\\beta)$ is positive; for $\\beta>0$ the second half plane "
@@ -113,9 +113,9 @@ def half_plane(push, brake, last):
 def two_roads(page):
     device = Sampled(n_1, n_0, a, e)
     page.say(
-        "With every period the degree in $\\alpha$ rises by one, so that solving for it soon ends. "
-        "But the boundary stays explicit. Put the wall of a root at $e^{j\\theta}$ into the last "
-        "minor, with any numbers of the device, for $d=0,1,2$:"
+        r"The degree in $\alpha$ rises by one with every period, so that the inequality cannot be "
+        "solved for longer delays. But the boundary stays explicit. Inserting the wall with a "
+        r"root at $e^{j\theta}$ into the last minor, for any device and $d=0,1,2$:"
     )
     stiffness, damping = boundary.wall(device)
     for delay in range(3):
@@ -130,8 +130,8 @@ def two_roads(page):
         )
     page.figure(
         "jury",
-        "Free mass, two periods late: where each inequality turns false (lines), where all hold "
-        "(green), and points of the explicit boundary (dots). The thick line is the last minor; "
-        "only it and $\\alpha=0$ bound the region.",
+        "Free mass, with two periods of delay: where each inequality turns false (lines), where "
+        "all hold (green), and points of the explicit boundary (dots). The thick line is the "
+        r"last minor; only it and $\alpha=0$ bound the region.",
         free_mass_inequalities,
     )

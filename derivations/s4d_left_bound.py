@@ -1,7 +1,7 @@
 r"""Does the stable region end at $\alpha=-\gamma$ on the left?
 
-A wall that pulls harder than the arm's spring holds cannot be stable. We ask whether this is the
-only limit on the left: does the stable region always reach the line $\alpha=-\gamma$?
+A wall with $\alpha<-\gamma$ cannot be stable. We ask whether the stable region always reaches the
+line $\alpha=-\gamma$.
 """
 
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
@@ -21,7 +21,7 @@ def derive(page):
     )
     page.define("The poles of the arm differ by $c$", gamma, (delta**2 - c**2) / 4)
     page.step(
-        "An overdamped device has a positive sum",
+        "For an overdamped device $n_1+n_0>0$",
         total * gamma,
         (1 - exp(-(delta - c) / 2)) * (1 - exp(-(delta + c) / 2)),
         name=r"\gamma(n_1+n_0)\big|_{c\ge0}",
@@ -29,37 +29,38 @@ def derive(page):
     )
     swinging = (total * gamma).subs(gamma, (delta**2 - c**2) / 4).subs(c, 2 * I * phi)
     page.step(
-        "A swinging device has a positive sum",
+        "For an underdamped device $n_1+n_0>0$",
         swinging,
         (1 - exp(-delta / 2)) ** 2 + 4 * exp(-delta / 2) * sin(phi / 2) ** 2,
         name=r"\gamma(n_1+n_0)\big|_{c=2j\varphi}",
-        because="with $c=2j\\varphi$; zero only for $\\delta=0$ and whole swings, "
-        "$\\varphi=2\\pi,4\\pi,\\ldots$, where $p_1(1)=0$ for every wall and none is stable",
+        because=r"with $c=2j\varphi$; zero only for $\delta=0$ and $\varphi=2\pi,4\pi,\ldots$, "
+        r"where "
+        "$p_1(1)=0$ for every wall and none is stable",
     )
     page.step(
-        "Without a spring the sum is positive",
+        "Without a spring $n_1+n_0>0$",
         alone.n1 + alone.n0,
         (1 - exp(-delta)) / delta,
         name=r"(n_1+n_0)\big|_{\gamma=0}",
         because="positive too, and 1 for $\\delta\\to0$",
     )
     page.say(
-        "So $\\alpha>-\\gamma$ is necessary for every delay and every damping. Is it also where "
-        "the region ends? Without delay, look at the wall $\\alpha=-\\gamma$, $\\beta=0$:"
+        r"So $\alpha>-\gamma$ is necessary for every delay and every damping. Does the region end "
+        r"there? Without delay, take the wall $\alpha=-\gamma$, $\beta=0$:"
     )
     kept = plant.normalised(FULL).transition(t, c)[1, 1].subs(t, 1)
     at_line = loop.characteristic(FULL, split=c).subs({d: 0, alpha: -gamma, beta: 0})
-    page.define("A period without a wall leaves this of a unit speed", r, kept)
+    page.define("The speed after a period without a force, from a unit speed", r, kept)
     page.step(
         "For $d=0$ the roots are 0, 1 and a speed", at_line, z * (z - 1) * (z - r), name="p_1(z)"
     )
     page.step(
-        "The energy of that motion falls",
+        "The energy of this motion decreases",
         2 * v * (-delta * v - gamma * x) + 2 * gamma * x * v,
         -2 * delta * v**2,
         name=r"\tfrac{d}{dt}(v^2+\gamma x^2)",
-        because="by Newton's law, so the speed left is less than 1, but for $\\delta=0$ and whole "
-        "half swings",
+        because=r"by Newton's law, so the final speed is less than 1, except for $\delta=0$ and "
+        r"$\varphi=\pi,2\pi,\ldots$",
     )
     page.step(
         "At the root 1 the slope is positive",
@@ -78,7 +79,7 @@ def derive(page):
         because="on the line $\\alpha=0$; the quadratic has both roots inside for $0<\\beta<2$",
     )
     page.say(
-        "So without delay the region touches the line: there the left bound is "
-        "$\\alpha=-\\gamma$, but for whole half swings without damping. What a delay changes is "
-        "asked in \\chapter{s4d_left_bound_delayed}."
+        r"So without delay the region touches the line, and the left bound is $\alpha=-\gamma$, "
+        r"except for $\delta=0$ with $\omega_dT$ a multiple of $\pi$. For a delay see "
+        r"\chapter{s4d_left_bound_delayed}."
     )

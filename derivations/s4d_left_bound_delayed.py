@@ -1,7 +1,7 @@
 r"""Does the stable region still reach the line $\alpha=-\gamma$ with a delay?
 
-Without delay it does, for the arms of (23). A delay of one period changes nothing for a spring as
-soft as an arm's, and it does for a stiff one.
+Without delay it does, for the arms of (23). With one period of delay it still does for a spring as
+soft as an arm's, but not for a stiff one.
 """
 
 from symhaptic.book.lemmas import figure9
@@ -22,8 +22,8 @@ from symhaptic.paper.propositions.stability import OTHER, PIECE, damped_region_e
 def derive(page):
     soft_spring(page)
     page.say(
-        "Now a spring far stiffer than an arm, without damping: $\\sqrt\\gamma=2\\pi/3$, so that "
-        "$\\cos\\sqrt\\gamma=-\\tfrac12$. With $x=n_1\\beta$, on the line:"
+        r"Now take a spring far stiffer than an arm, without damping: $\sqrt\gamma=2\pi/3$, so "
+        r"that $\cos\sqrt\gamma=-\tfrac12$. With $x=n_1\beta$, on the line:"
     )
     swinging = plant.sampled(plant.normalised(Parts(damping=False)))
     spring = {gamma: 4 * pi**2 / 9}
@@ -56,11 +56,11 @@ def derive(page):
         "At this wall the product is negative",
         1 - (x + Rational(3, 2)) + 2 * x - x**2,
         -((x - Rational(1, 2)) ** 2) - Rational(1, 4),
-        because="negative for every $x$: no damping makes the line a border of the region",
+        because="negative for every $x$: the line is no border of the region for any damping",
     )
     damping = (-1 / (10 * swinging.n1)).subs(spring)
     page.lemma(
-        "Beside that spring a wall away from the line is stable one period late",
+        "With that spring and one period of delay a wall away from the line is stable",
         stable_at({alpha: S.Zero, beta: damping, delta: S.Zero, d: S.One, **spring}),
         because="for $\\alpha=0$, $n_1\\beta=-\\tfrac1{10}$",
     )
@@ -70,8 +70,9 @@ def derive(page):
 def _settled(page):
     """What of all this is a theorem: the arms of (23), and damped arms with any spring."""
     page.say(
-        "For the arms of (23) the exact curve of \\chapter{s4d_figure7_undelayed} shows that the "
-        "region ends on the line without delay. With a delay every stable wall lies right of it."
+        r"For the arms of (23) the exact curve of \chapter{s4d_figure7_undelayed} shows that the "
+        "region ends on the line without delay. With a delay every stable wall lies to the right "
+        "of it."
     )
     claim = CLAIMED["s4d-left-bound"]([Eq(alpha, -gamma)])
     arms = page.lemma("The left bound of the arms of (23)", bound_of_arms())
@@ -86,11 +87,11 @@ def _settled(page):
         r"$\sqrt\gamma=\tfrac23\pi$ at $d=1$, $\delta=0$",
     )
     page.say(
-        "A damped arm with any spring needs none of these estimates without delay, nor one with "
-        "$\\gamma<2\\delta$ for one period. A wall that pulls, with little virtual damping, "
-        "satisfies (5) then, so that it is stable (\\chapter{s5a_passive_is_stable}):"
+        r"For a damped device without delay, or with one period of delay and $\gamma<2\delta$, "
+        "there is a simpler argument. A wall of negative stiffness and little virtual damping "
+        r"then satisfies (5), so that it is stable (\chapter{s5a_passive_is_stable}):"
     )
-    found = page.lemma("The region of a damped arm ends on the line", left_bound(), boxed=True)
+    found = page.lemma("The region of a damped device ends on the line", left_bound(), boxed=True)
     claim = damped_region_ends_on_the_line()
     easy = {alpha: -S.One, gamma: S.One, delta: S.One, d: S.Zero}
     soft = SOFT.at(easy)
@@ -120,10 +121,10 @@ def soft_spring(page):
         "$a+\\gamma n_0>0$",
     )
     page.say(
-        "A force that is held for a period moves the mass by half a unit at most, so that "
-        "$n_1\\le\\frac12$, and $n_0\\le n_1$. For $\\gamma\\le1$ therefore $\\gamma n_0<1$, "
-        "$a+\\gamma n_0=1+e-\\gamma n_1>0$ and $2-a+\\gamma n_0=1-e+\\gamma(n_1+2n_0)>0$, unless "
-        "$\\gamma=\\delta=0$. There take $\\beta=\\tfrac12$ instead:"
+        "A force that is held for a period moves the mass by at most half a unit, so that "
+        r"$n_1\le\frac12$, and $n_0\le n_1$. For $\gamma\le1$ therefore $\gamma n_0<1$, $a+\gamma "
+        r"n_0=1+e-\gamma n_1>0$ and $2-a+\gamma n_0=1-e+\gamma(n_1+2n_0)>0$, unless "
+        r"$\gamma=\delta=0$. There take $\beta=\tfrac12$ instead:"
     )
     free = loop.characteristic(Parts(False, False)).subs({d: 1, alpha: 0, beta: S.Half})
     cubic = z**3 - z**2 + z / 4 + Rational(1, 4)
@@ -151,7 +152,7 @@ REACH = {S.Zero: delta / 2, S.One: delta / 4 - gamma / 8}
 
 @cache
 def right_of_the_line(delay: Expr) -> Theorem:
-    """A stable wall has alpha < alpha', on the line, for a damped device and a whole delay."""
+    """A stable wall has alpha < alpha', on the line, for a damped device and an integer delay."""
     late = Relation(d, "=", delay)
     static, pushed = at_rest()
     readings = loop_of_device(NUMBERS, (OTHER, beta, gamma, delta, delay))

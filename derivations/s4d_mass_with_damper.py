@@ -1,7 +1,7 @@
-r"""How stiff can the wall of a damped mass be without delay?
+r"""How large is the stable stiffness of a damped mass without delay?
 
 Without spring and delay, $\gamma=0$ and $d=0$, the loop is a cubic and its stability explicit. We
-take the largest stiffness from it in closed form, and a bound of the damping.
+derive the largest stiffness in closed form, and a bound of the damping.
 """
 
 from symhaptic.book.lemmas.damped_mass import signs
@@ -21,7 +21,7 @@ B_2, B_3 = 4 - TOTAL * alpha - 4 * N_0 * beta, 2 * (1 + E) - APART * (alpha + 2 
 def derive(page):
     polynomial = ARM.denominator * z + ARM.numerator * ((alpha + beta) * z - beta)
     page.step(
-        "The unit disc turns into a half plane",
+        "The unit disc is mapped to a half plane",
         (1 - s) ** 3 * polynomial.subs(z, (1 + s) / (1 - s)),
         B_3 * s**3 + B_2 * s**2 + B_1 * s + B_0,
         name=r"(1-s)^3p_1\bigl(\tfrac{1+s}{1-s}\bigr)",
@@ -31,7 +31,7 @@ def derive(page):
     page.lemma(
         "A damped mass has $0<n_0\\le n_1$",
         conj(*signs()),
-        because="a blow moves it forward for all of the period",
+        because="the impulse response is positive during the period",
     )
     stiffness(page)
     damping(page, polynomial)
@@ -41,9 +41,9 @@ def stiffness(page):
     """The largest stable alpha."""
     root = sqrt(N_0 * (N_0 + E * N_1))
     largest = (TOTAL - w) ** 2 / (N_0 * N_1**2)
-    page.define("The stiffness below is given by a root of the arm's numbers", w, root)
+    page.define("A square root of the device's coefficients", w, root)
     page.step(
-        "The minor is a margin less a square",
+        "The minor is a positive multiple of the margin minus a square",
         (B_1 * B_2 - B_0 * B_3) / 8,
         N_0 * (1 + N_1 * beta) * (largest - alpha)
         - TOTAL * (N_0 * (1 + N_1 * beta) - w) ** 2 / (N_0 * N_1**2),
@@ -51,12 +51,12 @@ def stiffness(page):
         because="a stable wall has $1+n_1\\beta>0$",
     )
     page.lemma(
-        "Without a spring, $\\delta\\le0.1$, no stable wall reaches this stiffness",
+        r"Without a spring, $\delta\le0.1$, no stable wall has this stiffness or more",
         of_masses(none_stiffer()),
         because="for either root $w$; the positive one bounds more",
     )
     page.lemma(
-        "Without a spring, $\\delta\\le0.1$, a smaller stiffness is stable with one damping",
+        r"Without a spring, $\delta\le0.1$, every smaller stiffness is stable with one damping",
         of_masses(all_softer()),
     )
     page.step(

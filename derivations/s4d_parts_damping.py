@@ -1,7 +1,7 @@
-r"""Does more damping enlarge the stable region?
+"""Does more damping enlarge the stable region?
 
-With a stronger damper a wall should not lose its stability. For arms inside the paper's ranges (23)
-and without delay that is so; for stiffer springs it is false.
+One expects that a stronger damper never destabilises a wall. This is true for arms inside the
+ranges (23) without delay; for stiffer springs it is false.
 """
 
 from symhaptic.book.lemmas.more_damped import (
@@ -17,10 +17,10 @@ from symhaptic.paper.propositions.stability import HEAVIER, damping_can_destabil
 
 def derive(page):
     page.say(
-        "Inside (23) and without delay the stable walls with $\\beta>-1$ are those right of "
-        "$\\alpha=-\\gamma$ with a positive largest minor of Jury's "
-        "(\\chapter{s4d_figure7_undelayed}). So it is enough that the minor of a wall rises with "
-        "the damping:"
+        r"Inside (23) and without delay the stable walls with $\beta>-1$ are those with "
+        r"$\alpha>-\gamma$ and a positive largest minor of Jury "
+        r"(\chapter{s4d_figure7_undelayed}). So it is sufficient that the minor of a wall rises "
+        "with the damping:"
     )
     page.lemma(
         "The minor of a wall is larger for the larger damper",
@@ -33,15 +33,15 @@ def derive(page):
         more_damped_is_stable(),
     )
     page.say(
-        "Going from a stable wall in any direction, one keeps a positive minor as long as the "
-        "walls are stable, so that at the end of the way it is not negative, and with the larger "
-        "damper it is positive again. Only at $\\alpha=-\\gamma$ this does not help."
+        "On any path from a stable wall the minor is positive as long as the walls are stable. "
+        "So it is not negative at the end of the path, and with the larger damper it is "
+        r"positive. This argument fails only at $\alpha=-\gamma$."
     )
     page.lemma(
-        "Inside (23) and without delay a wall right of $\\alpha=-\\gamma$ at which stable walls "
-        "end is stable with more damping",
+        r"Inside (23) and without delay a wall with $\alpha>-\gamma$ on the border of the stable "
+        "region is stable with more damping",
         grows(),
-        because="what holds at all walls on the way holds weakly in the limit",
+        because=r"a strict inequality along the path holds with $\ge$ in the limit",
     )
     then = taken_apart(page.claim("s4d-delta-grows"))[2]
     point = {alpha: S.One / 100, beta: S.One / 10, gamma: S.Zero}
@@ -50,8 +50,7 @@ def derive(page):
         "s4d-delta-grows",
         grown(then),
         example=point,
-        note="with a delay nothing is shown here; a stiff spring makes it false "
-        "(damping-destabilises)",
+        note="nothing is shown for a delay; with a stiff spring it is false (damping-destabilises)",
     )
     page.say(
         "For stiffer springs it is false: $\\gamma=5$, $\\alpha=-4$, $\\beta=5.9$ and no delay. "

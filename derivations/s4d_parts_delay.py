@@ -1,8 +1,7 @@
-r"""Does a larger delay always make the stable region smaller?
+"""Does a larger delay always make the stable region smaller?
 
-A delay costs stiffness: a wall without damping bears less and less of it. But where a spring holds
-the device, the boundary begins lower with every period of delay, so that there are walls which only
-a delay makes stable.
+A delay costs stiffness. But with a physical spring the boundary begins at a lower damping with
+every period of delay, so that some walls are stable only with a delay.
 """
 
 from symhaptic.book.lemmas.boundary import CORNER, begins, begins_there
@@ -23,7 +22,7 @@ def derive(page):
     page.lemma(
         "With one more period of delay it begins at $(-\\gamma,\\beta_0-\\gamma)$",
         later,
-        because="downwards by the spring's stiffness, for every damped plant",
+        because=r"the corner moves down by $\gamma$, for every damped device",
         boxed=True,
     )
     wall = {
@@ -34,18 +33,18 @@ def derive(page):
         d: S.Zero,
     }
     page.say(
-        "Where the region reaches this point, it is its lower left corner, and a wall just above "
-        "that of $d=1$ is below that of $d=0$. Inside the "
-        "paper's ranges (23), $\\gamma=0.001$, $\\delta=0.01$, $\\alpha=-0.0009$, $\\beta=-0.011$:"
+        "If the region reaches this point, it is its lower left corner, and a wall just above "
+        "the corner of $d=1$ lies below that of $d=0$. Inside the ranges (23), take "
+        r"$\gamma=0.001$, $\delta=0.01$, $\alpha=-0.0009$, $\beta=-0.011$:"
     )
     page.lemma(
-        "One period late $\\alpha=-0.0009$, $\\beta=-0.011$ is stable",
+        r"With one period of delay $\alpha=-0.0009$, $\beta=-0.011$ is stable",
         stable_at({**wall, d: S.One}),
     )
     page.lemma("Without delay $\\alpha=-0.0009$, $\\beta=-0.011$ is not stable", unstable_at(wall))
     page.say(
-        "The same happens to walls with $K>0$ behind longer delays: at $\\gamma=0.001$, "
-        "$\\delta=0.02$ to the wall $\\alpha=0.0001$, $\\beta=-0.022$."
+        r"The same happens to walls with $K>0$ with longer delays: at $\gamma=0.001$, "
+        r"$\delta=0.02$ to the wall $\alpha=0.0001$, $\beta=-0.022$."
     )
     stiff = {**wall, alpha: Rational(1, 10000), beta: Rational(-11, 500), delta: Rational(1, 50)}
     page.lemma(
@@ -69,6 +68,6 @@ def derive(page):
         misprint=False,
         unless=[({**wall, LATER: S.One}, *(stable_at({**wall, d: S.One}), unstable_at(wall)))],
         shows="a wall inside (23) that is stable at $d=1$ and unstable at $d=0$",
-        note="as sets of walls; of walls with $K>0$ it is false, too. By area it is right for the "
+        note="as sets of walls; it is also false for walls with $K>0$. By area it is true for the "
         "arm of Figs. 11 and 12 up to $d=8$ (s4d-delay-shrinks-area)",
     )

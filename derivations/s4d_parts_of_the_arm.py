@@ -1,11 +1,11 @@
 r"""Do the mass, the spring and the damper of an arm all stabilise the wall?
 
 The paper concludes that each of them is stabilising. A single wall that is stable without the part
-and unstable with it is enough to deny this of all walls. Areas are compared in
+and unstable with it disproves this for all walls. Areas are compared in
 \chapter{s4d_areas_of_the_arm}. Below each wall stands its polynomial,
 $z^{d+1}(z^2-az+e)+(n_1z+n_0)((\alpha+\beta)z-\beta)$ with the numbers of the device, and the zero
-that certified balls isolate. Without delay it can be done by hand: of
-$z^3+a_2z^2+a_1z+a_0$ it is Jury's inequality $1-a_0^2>|a_1-a_0a_2|$ that decides.
+that certified balls isolate. Without delay it can be done by hand: of $z^3+a_2z^2+a_1z+a_0$ it is
+Jury's inequality $1-a_0^2>|a_1-a_0a_2|$ that decides.
 """
 
 from symhaptic.book.lemmas.passive_is_stable import EVERY_MARGIN, LOOP, MARGIN, passive_is_stable
@@ -80,7 +80,7 @@ def derive(page):
         ],
         shows="a wall that is stable with a free mass and unstable with a spring inside (23)",
         note="as sets of walls: doubling the mass destabilises a wall at $d=1$; more damping can "
-        "do so outside (23). By area none of the three takes any without delay "
+        "do so outside (23). Without delay none of the three reduces the area "
         "(s4d-all-stabilising-area)",
     )
 
@@ -92,7 +92,7 @@ def _arms(wall, mass, spring):
 
 
 def _passive_wall(given):
-    """alpha = 1 and delta = 2, a period late: 3/2 - cos(theta) is left of the damping."""
+    """alpha = 1 and delta = 2, one period of delay: 3/2 - cos(theta) of the damping remains."""
     wall = {alpha: S.One, beta: S.Zero, gamma: S.Zero, delta: S(2), d: S.One}
     turn = square(1 - cos(theta)), bounded(cos, theta)
     left = combined(MARGIN.xreplace(wall) >= 0, *([S.Half, known] for known in turn), [S.Half])

@@ -1,9 +1,9 @@
-r"""How many roots are unstable, at a cost that does not grow with the delay?
+"""How can unstable roots be counted at a cost that does not grow with the delay?
 
-The zeros of the characteristic polynomial, or the inequalities of Jury, cost more with every
-period of delay. By the argument principle it is enough to know how far the polynomial turns on
-half the unit circle. It is a sum of two parts, one of the plant and one of the wall; where one of
-them is larger, the sum turns with it.
+The zeros of the characteristic polynomial, or the inequalities of Jury, cost more with every period
+of delay. By the argument principle it is sufficient to know the change of its argument on half the
+unit circle. The polynomial is a sum of two terms, one of the plant and one of the wall; where one
+of them is larger, it determines the argument of the sum.
 """
 
 from symhaptic.book.figures.arguments import half_circle
@@ -32,12 +32,12 @@ def derive(page):
             name=f"|{name}(z)|^2",
         )
     page.say(
-        "So $|f|^2-|g|^2$ is a polynomial of degree two in $y$, and the delay is not in it: there "
-        "are at most two angles $\\theta_i$ in $(0,\\pi)$ at which plant and wall are equally "
-        "large, the same ones for every delay. At $z=1$ the wall leads if $|\\alpha|>\\gamma$, "
-        "as $1-a+e=\\gamma(n_1+n_0)$."
+        "So $|f|^2-|g|^2$ is a polynomial of degree two in $y$ that does not contain the delay: "
+        r"there are at most two angles $\theta_i$ in $(0,\pi)$ at which both terms have the same "
+        r"size, the same ones for every delay. At $z=1$ the wall dominates if $|\alpha|>\gamma$, "
+        r"as $1-a+e=\gamma(n_1+n_0)$."
     )
-    page.say("The phases are no harder. Each factor, turned by a power of $z$, keeps to one side:")
+    page.say("For the phases, each factor times a power of $z$ stays in one half plane:")
     for name, factor, height in (
         ("A/z", bottom / z, (1 - e) * sin(theta)),
         ("N", top, n_1 * sin(theta)),
@@ -49,39 +49,39 @@ def derive(page):
             (turned - turned.xreplace({I: -I})) / (2 * I),
             height,
             name=rf"\Im {name}",
-            because="of one sign for $0<\\theta<\\pi$: the angle is an arctangent without jumps",
+            because=r"of one sign for $0<\theta<\pi$, so that the phase is a continuous arctangent",
         )
     page.say(
-        "With these angles, $\\Phi(\\theta)=\\arg N+\\arg W-\\arg(A/z)-(d+2)\\theta$ is the "
-        "phase of $g/f$, continuous from 0 to $\\pi$. Where $f$ leads, $p_1=f\\,(1+g/f)$ and the "
-        "bracket stays in the right half plane; where $g$ leads, $p_1=g\\,(1+f/g)$. At an angle "
-        "where they are equal, the bracket stands at half the phase,"
+        r"With these angles, $\Phi(\theta)=\arg N+\arg W-\arg(A/z)-(d+2)\theta$ is the phase of "
+        r"$g/f$, continuous from 0 to $\pi$. Where $f$ dominates, $p_1=f\,(1+g/f)$ and the "
+        r"bracket stays in the right half plane; where $g$ dominates, $p_1=g\,(1+f/g)$. At an "
+        "angle where they have the same size, the phase of the bracket is half that of $g/f$,"
     )
     page.step(
-        "Equal parts add up at half the phase",
+        "The sum of two terms of equal size has the mean phase",
         1 + exp(I * phi),
         2 * cos(phi / 2) * exp(I * phi / 2),
-        because="for $\\varphi=\\Phi-2\\pi k$ between $-\\pi$ and $\\pi$, that is for the whole "
-        "number $k=[\\Phi/2\\pi]$ next to $\\Phi/2\\pi$",
+        because=r"for $\varphi=\Phi-2\pi k$ between $-\pi$ and $\pi$, that is for the integer "
+        r"$k=[\Phi/2\pi]$ next to $\Phi/2\pi$",
     )
     page.say(
         "so that, passing from $f$ to $g$, the change of argument of $p_1$ differs from that of "
-        "$f$ alone by $-\\Phi+\\varphi=-2\\pi k$, and passing back by $+2\\pi k$. On the whole "
-        "half circle $f$ turns by $(d+3)\\pi$, since the poles of a damped and held plant lie "
-        "inside, and $p_1$ by $\\pi$ times its roots inside. Of its $d+3$ roots therefore "
-        "as many lie outside as twice the sum of $k$ over the angles where $g$ starts to lead, "
-        "less twice the sum of $k$ over those where it stops, "
-        "with $2k=\\arg g(1)/\\pi$ for a lead from "
-        "$\\theta=0$ on, and $2k=\\arg g(-1)/\\pi-(d+3)$ for one that lasts to $\\theta=\\pi$. "
-        "A square root and a few arctangents: the same work for $d=0$ as for $d=10^6$. For a "
-        "plant without damper or spring the count is that of one with a little of it."
+        r"$f$ alone by $-\Phi+\varphi=-2\pi k$, and passing back by $+2\pi k$. On the half circle "
+        r"the argument of $f$ grows by $(d+3)\pi$, since the poles of a damped plant with a "
+        r"spring lie inside, and that of $p_1$ by $\pi$ times the number of roots inside. The "
+        "number of roots outside is therefore twice the sum of $k$ over the angles where $g$ "
+        "begins to dominate, minus twice the sum of $k$ over those where it ceases to, with "
+        r"$2k=\arg g(1)/\pi$ if $g$ dominates from $\theta=0$ on, and $2k=\arg g(-1)/\pi-(d+3)$ "
+        r"if it dominates up to $\theta=\pi$. This takes a square root and a few arctangents, for "
+        "$d=0$ as for $d=10^6$. A plant without damper or spring has the count of one with small "
+        r"$\delta$ or $\gamma$."
     )
     page.figure(
         "half_circle",
-        "A wall with $\\alpha=0.55$, $\\beta=0.5$ behind one period of delay ($\\gamma=0.05$, "
-        "$\\delta=0.4$). The wall leads up to $\\theta_1$, the plant beyond. Up to $\\theta_1$ the "
-        "sum keeps to the wall's argument, and then to the plant's, but for a full turn: $k=-1$ "
-        "where the wall stops to lead, so that two of four roots lie outside.",
+        r"A wall with $\alpha=0.55$, $\beta=0.5$ with one period of delay ($\gamma=0.05$, "
+        r"$\delta=0.4$). The wall dominates up to $\theta_1$, the plant beyond. Up to $\theta_1$ "
+        r"the sum follows the argument of the wall, and then that of the plant except for $2\pi$: "
+        "$k=-1$ where the wall ceases to dominate, so that two of four roots lie outside.",
         half_circle,
         panels=(1, 2),
         height=0.6,
@@ -99,14 +99,14 @@ def derive(page):
         because="zero for $d=(\\Phi_0+(2k+1)\\pi)/\\theta-2$ at $\\theta=\\theta_1,\\theta_2$",
     )
     page.say(
-        "For whole delays the first whole number behind a critical one, if the loop does not "
-        "recover before, is the first that is unstable."
+        "For integer delays the first integer above a critical delay is the first that is "
+        "unstable, unless the loop becomes stable again before."
     )
     m_2, m_1, m_0 = symbols("m_2 m_1 m_0")
     late, whole = m_2 * z**2 + m_1 * z + m_0, m_2 + m_1 + m_0
     form = whole**2 + ((m_2 - m_0) ** 2 - whole * (m_2 + m_0)) * y + m_2 * m_0 * y**2
     page.step(
-        "A delay with a fraction has a numerator of degree two",
+        "With a fractional delay the numerator has degree two",
         late * late.subs(z, 1 / z),
         form,
         name="|M(z)|^2",
@@ -126,7 +126,7 @@ def _equally_large(page):
     walls = (alpha, beta, n_1, n_0, a, e, theta, d, later)
     page.state(
         "counting-ignores-delay",
-        "the angles at which plant and wall are equally large ignore the delay",
+        "the angles at which plant and wall have the same size do not depend on the delay",
         claim=every(walls, [], Iff((equal, then))),
     )
     there, here = (combined(q, [assume(p), 1]) for p, q in ((equal, then), (then, equal)))

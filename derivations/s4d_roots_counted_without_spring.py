@@ -1,8 +1,7 @@
-r"""When is a device without a spring stable behind a whole delay?
+"""When is a device without a spring stable with an integer delay?
 
-The argument principle counts roots at up to two angles at which plant and wall are equally large.
-Without a spring one angle is enough, and no root has to be counted: a quadratic and a comparison of
-angles decide.
+The argument principle counts roots at up to two angles at which plant and wall have the same size.
+Without a spring one angle is sufficient: a quadratic and a comparison of angles decide.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -17,28 +16,28 @@ def derive(page):
     bottom, top = z**2 - a * z + e, (n_1 * z + n_0) * ((alpha + beta) * z - beta)
     sizes = [(x * x.subs(z, 1 / z)).subs(a, 1 + e) for x in (bottom, top)]
     page.step(
-        "What the plant has over the wall is a quadratic",
+        "The surplus $|A|^2-|NW|^2$ of the plant is a quadratic",
         sizes[0] - sizes[1],
         surplus(),
         name="F(y)",
     )
     lead = -((alpha * (n_1 + n_0)) ** 2)
-    page.step("At $z=1$ the wall leads", surplus(S.Zero), lead, name="F(0)")
+    page.step("At $z=1$ the wall dominates", surplus(S.Zero), lead, name="F(0)")
     page.step(
-        "At $z=-1$ both are real",
+        "At $z=-1$ both terms are real",
         surplus(4),
         (2 * (1 + e)) ** 2 - ((n_1 - n_0) * (alpha + 2 * beta)) ** 2,
         name="F(4)",
     )
     bend = surplus().diff(y, 2) / 2
     page.step(
-        "The quadratic is bent less than the lead at $z=1$ allows",
+        "The curvature of the quadratic is bounded by its value at $z=1$",
         16 * bend - surplus(S.Zero),
         ((n_1 - n_0) * alpha) ** 2 + 4 * n_1 * n_0 * (alpha + 2 * beta) ** 2 + 16 * e,
         name=r"8F''-F(0)",
     )
     found = page.lemma(
-        "A wall as strong as the plant at $z=-1$ is stronger everywhere",
+        "A wall that is as large as the plant at $z=-1$ is larger at all other angles",
         stronger_everywhere(),
         because="$F(y)=(1-\\tfrac y4)F(0)+\\tfrac y4F(4)-\\tfrac12F''y(4-y)$, and where $F''<0$ "
         "the step before bounds it",
@@ -53,15 +52,15 @@ def derive(page):
     point = {alpha: S.One, beta: S.One, n_1: Rational(1, 2), n_0: Rational(1, 2), e: S.One}
     page.settle("free-wall-stronger", found, example=point)
     page.say(
-        "Of such a wall $p_1$ turns with $g=NW$ all the way, so that at most two of its $d+3$ "
-        "roots lie inside: the loop is not stable. Any other wall has $F(0)<0<F(4)$, if "
-        "$\\alpha\\ne0$, and one angle $\\theta_1$ at which both are equally large. A stable loop "
-        "has $p_1(1)=\\alpha(n_1+n_0)>0$; then the wall's lead at $z=1$ counts nothing, and twice "
-        "the whole number next to $-\\Phi(\\theta_1)/2\\pi$ is the number of roots outside. As "
-        "this is not negative, the loop is stable if and only if $\\alpha>0$, "
-        "$2(1+e)>|(n_1-n_0)(\\alpha+2\\beta)|$ and $\\Phi(\\theta_1)>-\\pi$. The pole at 1 is "
-        "$\\pi$ in $\\arg(A/z)$ less an angle that is small with $\\theta_1$, so that the last "
-        "condition compares small angles where the wall is soft:"
+        "For such a wall $p_1$ has the argument of $g=NW$ on the whole half circle, so that at "
+        "most two of its $d+3$ roots lie inside: the loop is not stable. Any other wall has "
+        r"$F(0)<0<F(4)$, if $\alpha\ne0$, and one angle $\theta_1$ at which both have the same "
+        r"size. A stable loop has $p_1(1)=\alpha(n_1+n_0)>0$; then the wall at $z=1$ contributes "
+        "nothing, and the number of roots outside is twice the integer next to "
+        r"$-\Phi(\theta_1)/2\pi$. As this is not negative, the loop is stable if and only if "
+        r"$\alpha>0$, $2(1+e)>|(n_1-n_0)(\alpha+2\beta)|$ and $\Phi(\theta_1)>-\pi$. The argument "
+        r"of $A/z$ is $\pi$ minus an angle that is small for small $\theta_1$, so that the last "
+        "condition compares small angles if the wall has little stiffness:"
     )
     turned = on_circle(bottom.subs(a, 1 + e) / z)
     page.step(

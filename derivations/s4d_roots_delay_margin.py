@@ -1,8 +1,8 @@
-r"""How much more delay does a wall bear?
+"""What is the delay margin of a wall?
 
-A wall that is stable without delay may lose its stability when the delay grows. The angles at which
-a root can cross the circle ignore the delay, as shown before; we ask at which of them roots leave,
-and when the first one does.
+A wall that is stable without delay may become unstable as the delay grows. The angles at which a
+root can cross the circle do not depend on the delay. We ask at which of them roots leave the
+circle, and at which delay the first one does.
 """
 
 from symhaptic.book.figures.stability import delay_margins
@@ -23,19 +23,19 @@ def derive(page):
         name=r"\frac{\partial\ln|z|}{\partial d}",
     )
     page.step(
-        "Along the circle the lead of the wall changes by $-w$",
+        "Along the circle the logarithm of $|h|$ has the derivative $-w$",
         real_part(I * (u + I * w)),
         -w,
         name=r"\frac{\partial\ln|h|}{\partial\theta}",
-        because="so roots leave, with growing delay, at an angle where the wall stops to lead, and "
-        "come back at one where it starts to",
+        because="so with growing delay roots leave at an angle where the wall ceases to dominate, "
+        "and come back at one where it begins to",
     )
     page.say(
-        "The surplus $|A|^2-|NW|^2$ has degree two in $y=4\\sin^2\\frac\\theta2$, so that it rises "
-        "at one of its zeros at most. There is at most one angle $\\theta_1$ at which roots leave; "
-        "if there is none, a wall that is stable without delay is stable with every delay. (Unless "
-        "the wall leads at $z=-1$: then the sign of $p_1(-1)$ lets it be stable for every other "
-        "whole delay at most.) With the phase $\\Phi_0$ of $NWz/A$:"
+        r"The surplus $|A|^2-|NW|^2$ has degree two in $y=4\sin^2\frac\theta2$, so that it rises "
+        r"at one of its zeros at most. There is at most one angle $\theta_1$ at which roots "
+        "leave; if there is none, a wall that is stable without delay is stable with every "
+        "delay. (If the wall dominates at $z=-1$, the sign of $p_1(-1)$ makes the loop unstable "
+        r"for every other integer delay.) With the phase $\Phi_0$ of $NWz/A$:"
     )
     turns, phase = symbols("k Phi_0")
     critical = (phase + (2 * turns + 1) * pi) / theta - 2
@@ -44,12 +44,12 @@ def derive(page):
         (critical + 2) * theta,
         phase + (2 * turns + 1) * pi,
         name=r"(d_k+2)\,\theta_1",
-        because="for whole $k$: one every $2\\pi/\\theta_1$ periods",
+        because=r"for integer $k$: one every $2\pi/\theta_1$ periods",
     )
     page.say(
-        "The first $d_k\\ge0$ is the delay margin, as none can come back before one has left. For "
-        "whole delays the next whole number is the first unstable one. A free mass with "
-        "$\\alpha=0.01$, $\\beta=0.05$ has $\\theta_1=0.1077$ and the margin $3.969$:"
+        r"The first $d_k\ge0$ is the delay margin, since no root can come back before one has "
+        "left. For integer delays the next integer is the first unstable delay. A free mass with "
+        r"$\alpha=0.01$, $\beta=0.05$ has $\theta_1=0.1077$ and the margin $3.969$:"
     )
     free = {alpha: Rational(1, 100), beta: Rational(1, 20), gamma: S.Zero, delta: S.Zero}
     page.lemma(
@@ -63,9 +63,9 @@ def derive(page):
         unstable_at({**free, d: S(4)}),
     )
     page.say(
-        "Behind a fraction of a period the plant has one coefficient more and the surplus degree "
-        "three. For each fraction the whole periods are told from the phase as above; the margin "
-        "is the least over all fractions, as plotted below."
+        "With a fractional delay the plant has one more coefficient and the surplus has degree "
+        "three. For each fraction the phase gives the integer number of periods, as above; the "
+        "margin is the least over all fractions, as plotted below."
     )
     page.figure(
         "delay_margin",
@@ -85,8 +85,8 @@ def derive(page):
     page.settle(
         "delay-margin",
         conj(speed_outwards(), one_angle()),
-        note="leave with a speed: $\\Re\\{dz/(z\\,dd)\\}$ times $|dp_1/d\\theta|^2$ is "
-        "$\\tfrac\\theta2$ times the slope of the surplus $|f|^2-|g|^2$",
+        note=r"the velocity of a root is $\Re\{dz/(z\,dd)\}$ times $|dp_1/d\theta|^2$ is "
+        r"$\tfrac\theta2$ times the slope of the surplus $|f|^2-|g|^2$",
     )
 
 

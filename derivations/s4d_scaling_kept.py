@@ -1,8 +1,7 @@
-r"""Does the same device bear four times the stiffness at twice the rate?
+"""Is four times the stiffness stable at twice the sampling rate?
 
-A loop in SI units is one in those of Table I, so that walls scale where $bT/m$ and $kT^2/m$ stay
-the same. With one damper and one spring they do not, unless there is neither. One wall each inside
-(23) shows that neither can be kept.
+By Table I, walls scale with the period and the mass if $bT/m$ and $kT^2/m$ stay the same. With a
+constant damper or spring they do not. One wall for each, inside (23), shows this.
 """
 
 from symhaptic.book.lemmas.near_tip import none_above
@@ -48,7 +47,7 @@ def stiffness(page):
     """Four times the stiffness at half the period, beside some damping."""
     claim = page.claim("s4d-quadratic-in-period")
     kept = page.lemma(
-        "With $bT/m$ and $kT^2/m$ kept, half the period allows four times the stiffness",
+        "With constant $bT/m$ and $kT^2/m$, half the period allows four times the stiffness",
         at_twice_the_rate(),
     )
     loop = {T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero}
@@ -64,7 +63,7 @@ def stiffness(page):
         },
         shows=r"$d=0$, $k=0$: at $\delta=\tfrac1{50}$ the wall $\alpha=0.713$ can be stable, at "
         r"$\tfrac1{100}$, for the same damper at half the period, it cannot",
-        note="exact, too, where $bT/m$ and $kT^2/m$ are kept; with this damper less than 3.93 "
+        note="also exact if $bT/m$ and $kT^2/m$ are constant; with this damper less than 3.93 "
         "times",
     )
 
@@ -73,7 +72,7 @@ def bound(page):
     """Damping in proportion to mass and rate, beside some stiffness."""
     claim = page.claim("s4d-damping-bound")
     kept = page.lemma(
-        "With $bT/m$ and $kT^2/m$ kept, $BT/m$ has the same bound for every period and mass",
+        "With constant $bT/m$ and $kT^2/m$, $BT/m$ has the same bound for every period and mass",
         for_another_mass_and_rate(),
     )
     loop = dict.fromkeys((b, k, d), S.Zero) | {T: S.One, m: S.One, HEAVY: S.One, SOON: S.Half}
@@ -89,7 +88,7 @@ def bound(page):
         },
         shows=r"$d=0$, $k=0$: at $\delta=\tfrac1{50}$ the wall $\beta=2.02$ can be stable, at "
         r"$\tfrac1{100}$, for the same damper at half the period, it cannot",
-        note=r"exact, too, where $bT/m$ and $kT^2/m$ are kept; for small $b$ the bound without "
+        note="also exact if $bT/m$ and $kT^2/m$ are constant; for small $b$ the bound without "
         r"delay is $2m/T+\tfrac43b$",
     )
 
@@ -138,7 +137,7 @@ def _changed(page):
         "twice its damping",
     )
     page.lemma(
-        "For $\\gamma=0$, $\\delta=\\frac1{100}$ all stable walls are softer than this",
+        r"For $\gamma=0$, $\delta=\frac1{100}$ all stable walls are less stiff than this",
         none_above((S.Zero, AFTER), 0)[1],
         because="so less than 3.93 times the stiffness is left: four times this bound is less than "
         "$3.93\\cdot0.713$. Twice the mass with the same damper is $\\delta=\\frac1{100}$ too",
@@ -148,12 +147,12 @@ def _changed(page):
 def all_scaled(page):
     """The period or the mass changes, and all else with it: the loop stays stable or not."""
     page.lemma(
-        "Half the period changes nothing if all else is scaled with it",
+        "Stability does not change if all parameters are scaled with half the period",
         numbers_known(inst(with_the_rate(STIFFER, STRONGER), {y: S(2)})),
         because="for every delay in periods",
     )
     heavier = inst(with_the_mass(STIFFER, STRONGER), {HEAVY: 2 * m})
     page.lemma(
-        "Twice the mass changes nothing if all else is doubled",
+        "Stability does not change if the mass and all other parameters are doubled",
         closed(heavier, positive(2 * m > 0, [2, m > 0]), positive(Ne(m, 0), m > 0)),
     )

@@ -1,7 +1,7 @@
-r"""Can too much virtual damping make a wall unstable?
+"""Can too much virtual damping make a wall unstable?
 
-A physical damper only takes energy. The virtual one acts on the mean speed of the last period
-and is held for the next. We look for a bound that no stable wall can exceed.
+A physical damper only dissipates energy. The virtual damper uses the mean speed of the last period,
+and its force is held for the next. We look for a bound that no stable wall can exceed.
 """
 
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
@@ -23,7 +23,7 @@ def derive(page):
         last.subs(z, 0),
         -beta * n_0,
         name="p_1(0)",
-        because="the rest of the polynomial has the factor $z^{d+1}$, for every whole $d$",
+        because="the rest of the polynomial has the factor $z^{d+1}$, for every integer $d$",
     )
     page.say(
         "The polynomial is monic, so that, up to the sign, this is the product of its roots. If "
@@ -34,7 +34,7 @@ def derive(page):
         "bounds $n_1\\beta$; and where $n_1=0$ too, no wall is stable."
     )
     bounded = page.lemma(
-        "Beside each device and delay one bound of $\\beta$ holds for all stable walls",
+        r"For each device and delay one bound of $\beta$ holds for all stable walls",
         bounded_damping(),
         boxed=True,
     )
@@ -48,8 +48,8 @@ def derive(page):
             where = f"For $d={delay}$, $\\gamma=0.001$, $\\delta=0.02$"
             page.lemma(f"{where} the wall $(0.05,{text})$ is {word}", shown(wall))
     page.say(
-        "With a delay less damping is too much. By the first theorem no virtual stiffness can make "
-        "up for it."
+        "With a delay the bound of the damping is lower. By the first theorem no virtual "
+        "stiffness changes this."
     )
     given = [gamma >= 0, delta >= 0, d >= 0]
     page.settle(

@@ -1,7 +1,8 @@
-r"""What does a first-order lag say about the stability of a wall?
+"""What does a first-order lag predict for the stability of a wall?
 
 The paper's linear condition comes from continuous time: hold and delay become one first-order lag,
-and the Routh-Hurwitz criterion decides. We repeat that and name everything that is left out.
+and the Routh-Hurwitz criterion decides. We repeat this derivation and state every term that is
+dropped.
 """
 
 from symhaptic.book.lemmas.linear import forbidden, of_the_walls, stable_with_lag
@@ -20,14 +21,14 @@ def derive(page):
         because="device times lag, plus wall",
     )
     page.lemma(
-        "In the loop with the lag two inequalities say which walls are stable",
+        "In the loop with the lag two inequalities decide stability",
         stable_with_lag(),
         because="of the three minors of a cubic, $a_2=m+bt_e$ is positive, and the third is "
         "$a_0=k+K$ times the second, $a_2a_1-a_3a_0$",
         boxed=True,
     )
     whole = page.step(
-        "For this loop Hurwitz' determinant is (24) and a term more",
+        "For this loop Hurwitz' determinant is (24) plus one term",
         lag.margin(Plant()),
         b + B - K * t_e + b * t_e / m * (b + B + k * t_e),
         name=r"\tfrac1m(a_2a_1-a_3a_0)",
@@ -40,7 +41,7 @@ def derive(page):
         S.Zero,
         b + B - K * t_e,
         name=r"\tfrac1m(a_2a_1-a_3a_0)",
-        because="this is what (24) keeps",
+        because="these are the terms of (24)",
     )
     linear = page.step(
         "Solved for the stiffness (24) is damping over delay",
@@ -50,9 +51,9 @@ def derive(page):
         paper="24",
     )
     page.say(
-        "So (24) drops the term $\\frac{bt_e}m(b+B+kt_e)$. At the border of (24) it is the share "
-        "$\\frac{bt_e}m(1+\\frac kK)$ of what is kept: of order $T$ for a given device, but not "
-        "zero unless $b=0$, and with the spring in it."
+        r"So (24) drops the term $\frac{bt_e}m(b+B+kt_e)$. At the border of (24) its ratio to the "
+        r"other terms is $\frac{bt_e}m(1+\frac kK)$: of order $T$ for a given device, zero only "
+        "for $b=0$, and dependent on the stiffness $k$."
     )
     settle(page, linear.subs(t_e, lag.DELAY) > K)
 
@@ -69,22 +70,22 @@ def settle(page, derived):
         example=easy,
         unless={Eq(b, 0): (damped, forbidden(same, damped))},
         shows=r"$m=b=T=1$, $t_d=\tfrac12$, $k=B=0$: Routh allows $K<2$, (24) only $K<1$",
-        note="as Routh's condition for the lag, which else has $\\frac{bt_e}m(b+B+kt_e)$ more. "
-        "For the sampled loop it is neither necessary nor sufficient",
+        note=r"as Routh's condition for the lag without the term $\frac{bt_e}m(b+B+kt_e)$. For the "
+        "sampled loop it is neither necessary nor sufficient",
     )
 
 
 def neglected(page):
     """Hold, delay and difference against lag and derivative."""
     page.say(
-        "Held for a period and late by $t_d$, a force is $H_0=e^{-t_ds}(1-e^{-Ts})/(Ts)$ times "
-        "itself; the backward difference is $D=(1-e^{-Ts})/T$; and the sampler adds images "
-        "around multiples of $2\\pi/T$. All this is replaced by a lag $1/(1+t_es)$ with the "
-        "effective delay $t_e=t_d+\\tfrac T2$, by $s$, and by nothing. The first two agree "
-        "to first order in $s$, and leave out"
+        "Hold and delay have the transfer function $H_0=e^{-t_ds}(1-e^{-Ts})/(Ts)$, the backward "
+        "difference is $D=(1-e^{-Ts})/T$, and the sampler adds aliases around multiples of "
+        r"$2\pi/T$. The paper replaces the first by a lag $1/(1+t_es)$ with the effective delay "
+        r"$t_e=t_d+\tfrac T2$, the second by $s$, and neglects the third. The first two "
+        "replacements are right to first order in $s$. Their errors are"
     )
     page.limit(
-        "The lag errs in the second order",
+        "The error of the lag is of second order",
         (lag.held() - 1 / (1 + lag.DELAY * s)) / s**2,
         s,
         S.Zero,
@@ -92,7 +93,7 @@ def neglected(page):
         name=r"\frac1{s^2}\Bigl(H_0-\frac1{1+t_es}\Bigr)",
     )
     page.limit(
-        "The derivative errs in the second order by half a period",
+        "The error of the derivative is of second order",
         ((1 - exp(-s * T)) / T - s) / s**2,
         s,
         S.Zero,

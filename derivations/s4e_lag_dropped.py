@@ -1,7 +1,7 @@
-r"""On which side does the linear condition err?
+"""On which side does the linear condition err?
 
 Routh's condition for the loop with a lag has one term more than the paper's (24). We ask for its
-sign, in units and in the parameters of Table I, and what the arm's spring does in it.
+sign, in SI units and in the parameters of Table I, and how it depends on the arm's stiffness.
 """
 
 from sympy import sympify
@@ -41,8 +41,8 @@ def never(page):
     page.lemma(
         "Where (24) and $K>-k$ hold, the loop with the lag is stable",
         safe(),
-        because="for the lag (24) errs on the safe side, whatever $b$ and $k$ are: the dropped "
-        "term is not negative, and the other conditions hold, too",
+        because="for the lag (24) is conservative for all $b$ and $k$: the dropped term is not "
+        "negative, and the other conditions hold, too",
     )
     claim = lagging()
     page.state(
@@ -54,7 +54,7 @@ def never(page):
         "linear-lag",
         safe(),
         example={**ONES, b: S.One, k: S.Zero, B: S.Zero, K: HALF},
-        note="the sampled loop is another matter",
+        note="the statement is about the lag and not the sampled loop",
     )
 
 
@@ -65,7 +65,7 @@ def stiffness(page, whole):
         K + whole / t_e,
         (b + B) / t_e + b / m * (b + B + k * t_e),
         name=r"K_{\text{Routh}}",
-        because="the spring is in it unless $b=0$, and raises it",
+        because="the stiffness $k$ raises it unless $b=0$",
     )
     same = taken_apart(page.claim("s4e-stiffness-free"))[2]
     easy = {**ONES, b: S.Zero, k: S.One, x: S(2), B: S.One, K: HALF}
@@ -95,7 +95,7 @@ def plane(page, kept, whole):
         paper="25",
     )
     page.step(
-        "In these parameters Routh's condition has a term more",
+        "In these parameters Routh's condition has one more term",
         large,
         line + delta * (d + HALF) * (beta + delta + gamma * (d + HALF)),
         name=r"\tfrac T{m^2}(a_2a_1-a_3a_0)",

@@ -1,8 +1,8 @@
 r"""Is the line of the linear condition the tangent of the exact boundary?
 
 For small $\alpha$ the paper linearises the stability boundary around the origin and finds the line
-$\beta+\delta=\alpha(d+\frac12)$ of (25). The exact boundary is known, with its start and its slope.
-We hold the line against it.
+$\beta+\delta=\alpha(d+\frac12)$ of (25). We compare the line with the exact boundary, its start and
+its slope.
 """
 
 from symhaptic.book.lemmas.linear_tangent import free_mass_only, tangent
@@ -32,20 +32,19 @@ def derive(page):
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
     on = (lies + s_1 - delta - gamma / 2) / theta**2
     page.limit(
-        "From there on the boundary is flatter than the line",
+        "The initial slope of the boundary is smaller than that of the line",
         on,
         theta,
         S.Zero,
         -short / 12,
         name=r"\frac{\Delta+g}{\theta^2}",
-        because="negative, as $\\nu\\le\\frac12$, $s_2>0$ and $s_1\\ge\\delta+\\frac12\\gamma$, "
-        "and zero for $\\gamma=\\delta=0$ only: up to (30) every other boundary is flatter "
-        "than the line",
+        because=r"negative, as $\nu\le\frac12$, $s_2>0$ and $s_1\ge\delta+\frac12\gamma$, and zero "
+        r"for $\gamma=\delta=0$ only: up to (30) the slope of every other boundary is smaller",
     )
     page.say(
-        "So (25) is the tangent of no boundary but that of the free mass. It is what all "
-        "boundaries tend to for short periods. With $T\\propto h^2$ let $\\delta$ be of order "
-        "$h^2$, $\\gamma$ of order $h^4$, and the angle of order $h$:"
+        "So (25) is the tangent only of the boundary of the free mass. It is the limit of all "
+        r"boundaries for short periods. With $T\propto h^2$ let $\delta$ be of order $h^2$, "
+        r"$\gamma$ of order $h^4$, and the angle of order $h$:"
     )
     scaled = periods(page)
     across = page.limit(
@@ -61,7 +60,7 @@ def derive(page):
     apart = theta**2 * (rise * theta**2 - flat * delta) / 12
     above = (lies.subs(scaled, simultaneous=True) / h**4).subs({s_2: 1, MU: delta / 12})
     page.limit(
-        "The surplus over the line is of the next order",
+        "The distance from the line is of the next order",
         above,
         h,
         S.Zero,
@@ -70,7 +69,7 @@ def derive(page):
     )
     crossing = flat * delta / rise
     page.step(
-        "In short periods the boundary crosses the line at one stiffness",
+        "For short periods the boundary crosses the line at one stiffness",
         crossing,
         flat / (d + 1) * delta / (2 * d + 1) / (2 * d + 3),
         name=r"\alpha_\times",
@@ -79,15 +78,15 @@ def derive(page):
     )
     straight = 6 * (d + 1) * delta / ((2 * d + 1) * (2 * d + 3))
     page.step(
-        "Beside the end of the straight part of the passive walls, (8)",
+        "The ratio to the end of the straight part of the passive walls, (8)",
         crossing / straight,
         1 + 1 / (6 * (d + 1) ** 2),
         name=r"\alpha_\times\Big/\frac{6(d+1)\delta}{(2d+1)(2d+3)}",
-        because="just behind it: 17\\,\\% at $d=0$, 4\\,\\% at $d=1$",
+        because=r"just beyond it: 17\,\% at $d=0$, 4\,\% at $d=1$",
     )
     law = (d + 1) * (2 * d + 3) / 6 * (theta**2 - crossing)
     page.step(
-        "In short periods the error (26) is proportional to the way from the crossing",
+        "For short periods the error (26) is proportional to the distance from the crossing",
         apart / ((d + HALF) * across),
         law,
         name=r"\lim_{h\to0}\frac{1}{h^2}\,\frac{\alpha_{\text{lin}}-\alpha}{\alpha}",
@@ -140,15 +139,15 @@ def periods(page):
 
 def _tangent(page):
     page.say(
-        "We look at the start of the boundary, $\\theta\\to0$, where $\\alpha=-\\gamma$: does it "
-        "lie on the line of (25), and does the boundary leave along the line?"
+        "We look at the start of the boundary, $\\theta\\to0$, where $\\alpha=-\\gamma$: does "
+        "it lie on the line of (25), and is the line tangent there?"
     )
     page.say(
         "The surplus $\\Delta$ over the line tends to $-g$. Where the gap is zero, "
         "$\\Delta/\\theta^2$ tends to a number that is negative for every spring and damper."
     )
     page.lemma(
-        "The boundary starts on the line and along it for a free mass only", free_mass_only()
+        "The line is tangent to the boundary at its start for a free mass only", free_mass_only()
     )
     page.state(
         "linear-tangent",

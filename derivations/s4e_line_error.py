@@ -26,16 +26,16 @@ def derive(page):
         note="not defined at the boundary's start, $\\alpha=-\\gamma$",
     )
     page.step(
-        "The error is the surplus over the line, per $(d+\\frac12)(\\alpha+\\gamma)$",
+        r"The error is $\Delta/((d+\frac12)(\alpha+\gamma))$",
         (lag.line(beta, delta) - alpha) / (alpha + gamma),
         linear.surplus() / ((d + HALF) * (alpha + gamma)),
         name=r"\varepsilon",
         because="positive where the boundary lies left of the line",
     )
     page.say(
-        "Put $\\alpha$ and $\\beta$ of the explicit boundary in: this is the error as a function "
-        "of $\\theta$, for every real $d$ on the principal sheet. For whole $d$ it is a quotient "
-        "of polynomials in $y=4\\sin^2\\frac\\theta2$, with $|M|^2=1-\\nu(1-\\nu)y$:"
+        r"Put $\alpha$ and $\beta$ of the explicit boundary in: this is the error as a function "
+        r"of $\theta$, for every real $d$ on the principal sheet. For integer $d$ it is a "
+        r"quotient of polynomials in $y=4\sin^2\frac\theta2$, with $|M|^2=1-\nu(1-\nu)y$:"
     )
     polynomials(page)
     free_mass(page)
@@ -79,7 +79,7 @@ def free_mass(page):
     """gamma = delta = 0."""
     stiffness, damping = boundary.wall(plant.sampled(plant.normalised(Parts(False, False))))
     page.step(
-        "Of a free mass the error is a quotient of sines",
+        "For a free mass the error is a quotient of sines",
         lag.line(damping, 0) / stiffness - 1,
         sin((d + HALF) * theta) / ((2 * d + 1) * sin(theta / 2) * cos((d + 1) * theta)) - 1,
         name=r"\varepsilon",

@@ -14,14 +14,14 @@ from symhaptic.paper.propositions.linear_error import LATER, rises
 
 def derive(page):
     page.say(
-        "The error compares stiffnesses at the same damping: on the boundary is a wall that is not "
-        "stable while all that are softer, down to $\\alpha=-\\gamma$, are. Measure it from the "
-        "start of the line, where $\\alpha=-\\gamma$: by $A=\\alpha+\\gamma$ and "
-        "$b=\\beta+\\delta+(d+\\frac12)\\gamma$."
+        "The error compares stiffnesses at the same damping: a wall on the boundary is not "
+        r"stable, while all walls of less stiffness, down to $\alpha=-\gamma$, are. We use "
+        r"coordinates from the start of the line at $\alpha=-\gamma$: $A=\alpha+\gamma$ and "
+        r"$b=\beta+\delta+(d+\frac12)\gamma$."
     )
     far, high = alpha + gamma, beta + delta + (d + HALF) * gamma
     page.step(
-        "The error is the slope of the ray from there",
+        "The error is given by the slope of the ray from there",
         (lag.line(beta, delta) - alpha) / far,
         high / ((d + HALF) * far) - 1,
         name=r"\varepsilon",
@@ -36,15 +36,15 @@ def derive(page):
         because="it falls with the stiffness, so that it is zero on the boundary",
     )
     page.say(
-        "At the start of the line the minor is not negative; that is the gap $g\\ge0$ again. "
-        "Up to $\\alpha=0.72$, and $\\alpha=0.16$ one period late, it falls with $A$ and rises "
-        "with $b\\ge-0.03$, for $\\beta\\le0$: of two walls on the boundary that with more damping "
-        "is stiffer. On a ray with $b>0$ it is bent downwards, so that it is positive between the "
-        "start and a wall of the boundary: no other wall of the boundary lies on this ray before "
-        "it, or above. One period late this takes balls; without delay it is seen:"
+        r"At the start of the line the minor is not negative; that is the gap $g\ge0$ again. Up "
+        r"to $\alpha=0.72$, and $\alpha=0.16$ with one period of delay, it falls with $A$ and "
+        r"rises with $b\ge-0.03$, for $\beta\le0$: of two walls on the boundary the one with more "
+        "damping is stiffer. On a ray with $b>0$ it is concave, so that it is positive between "
+        "the start and a wall of the boundary: the ray has no other wall of the boundary. With "
+        "one period of delay this is proved by ball arithmetic; without delay directly:"
     )
     page.step(
-        "The minor is bent downwards on a ray, $d=0$",
+        "The minor is concave on a ray, $d=0$",
         -bent(0),
         -n_0 * b_1 * (TOTAL * b_1 + n_1 * A_1),
         name=r"\tfrac12\,\Delta_2''",

@@ -19,22 +19,21 @@ def derive(page):
     stiffness, damping = boundary.solved(on_circle(-(z**d) * linear.near()))
     page.limits(stiffness + gamma, theta, S.Zero, S.Zero)
     page.limit(
-        "At the start of the boundary the line is off by the gap",
+        "At the start of the boundary the distance from the line is the gap $g$",
         linear.surplus(stiffness, damping) / (d + HALF),
         theta,
         S.Zero,
         -GAP / (d + HALF),
         name=r"(\alpha_{\text{lin}}-\alpha)",
-        because="with $g=s_1-\\delta-\\frac12\\gamma$, while $\\alpha+\\gamma\\to0$: "
-        "for $g>0$, that is for every arm with spring and damping up to (30), "
-        "$\\varepsilon\\to-\\infty$. With "
-        "$g\\approx\\frac1{720}\\delta\\gamma^2$ this happens on a stretch of that size",
+        because=r"with $g=s_1-\delta-\frac12\gamma$, while $\alpha+\gamma\to0$: for $g>0$, that is "
+        r"for every arm with spring and damping up to (30), $\varepsilon\to-\infty$. With "
+        r"$g\approx\frac1{720}\delta\gamma^2$ this happens on an interval of that size",
     )
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
     wide = s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2
     begins = -short / (6 * (2 * d + 1) * wide)
     page.limit(
-        "Without a gap the surplus is of the second order",
+        r"Without a gap the distance $\Delta$ is of second order",
         (linear.surplus(stiffness, damping) + GAP) / theta**2,
         theta,
         S.Zero,
@@ -50,7 +49,7 @@ def derive(page):
         name=r"\frac{\alpha(\theta)+\gamma}{\theta^2}",
     )
     page.step(
-        "Where there is no gap the error starts from a finite number",
+        "Without a gap the initial error is finite",
         -short / 12 / ((d + HALF) * wide),
         begins,
         name=r"\lim_{\theta\to0}\varepsilon\big|_{g=0}",
@@ -63,7 +62,7 @@ def derive(page):
         1 / tanh(delta / 2) - 2 / delta,
     )
     page.step(
-        "Without a spring the error starts from a quotient in $\\delta$",
+        r"Without a spring the initial error is a quotient in $\delta$",
         begins.subs({gamma: 0, s_1: delta, s_2: 1}),
         -((d + 1) ** 2 * delta + 1 - 2 * nu) / ((2 * d + 1) * (1 + (d + 1) * delta)),
         name=r"\lim_{\theta\to0}\varepsilon|_{\gamma=0}",
@@ -74,15 +73,15 @@ def derive(page):
     page.step(
         "Without damping the numerator is symmetric", shape[nu], HALF, name=r"\nu\big|_{\delta=0}"
     )
-    page.define("The spring by the angle of a swing in a period", gamma, Omega**2)
+    page.define(r"The stiffness as a function of $\Omega=\sqrt\gamma$", gamma, Omega**2)
     page.step(
-        "Without damping the number $s_1$ is half of the spring",
+        r"Without damping $s_1=\gamma/2$",
         shape[s_1],
         gamma / 2,
         name=r"s_1\big|_{\delta=0}",
     )
     page.step(
-        "Without damping the error starts from a negative number",
+        "Without damping the initial error is negative",
         begins.subs({delta: 0, s_1: gamma / 2, nu: HALF}),
         -(d + 1) * (2 * d + 3) * gamma / (6 * s_2 + 3 * (d + 1) ** 2 * gamma),
         name=r"\lim_{\theta\to0}\varepsilon|_{\delta=0}",
@@ -93,8 +92,9 @@ def derive(page):
         swings,
         S.Zero,
         name=r"A(e^{j\Omega})",
-        because="with $\\Omega=\\sqrt\\gamma$: at $\\theta=\\Omega$ the device swings alone, $Q=0$ "
-        "and $\\alpha=\\beta=0$",
+        because=r"with $\Omega=\sqrt\gamma$: at $\theta=\Omega$ the device oscillates without a "
+        r"wall, "
+        r"$Q=0$ and $\alpha=\beta=0$",
     )
     unbounded_there(page)
     beyond_two_percent(page)
@@ -103,7 +103,7 @@ def derive(page):
 def unbounded_there(page):
     """The reciprocal of the error tends to zero beside spring and damper."""
     no_error = page.lemma(
-        "Beside spring and damper the reciprocal of the error tends to zero",
+        "With spring and damper the reciprocal of the error tends to zero",
         no_bound(),
         because="$\\alpha+\\gamma$ is of order $\\theta^2$, with a factor that is positive, and "
         "$\\alpha_{\\text{lin}}-\\alpha$ tends to a multiple of the gap, which is not zero",
@@ -125,9 +125,9 @@ def unbounded_there(page):
 def beyond_two_percent(page):
     """Beside spring and damper, for every size of both inside (23)."""
     page.say(
-        "So the error is large somewhere next to the start. In the numbers of (23) a chord of 25 "
-        "times the gap will do: there the gap weighs more than $2\\,\\%$ of $\\alpha+\\gamma$, and "
-        "$\\alpha$ is still so small that $\\beta<0$."
+        "So the error is large near the start. Inside (23) take the wall whose distance from the "
+        r"start is 25 times the gap: there the gap exceeds $2\,\%$ of $\alpha+\gamma$, and "
+        r"$\alpha$ is so small that $\beta<0$."
     )
     page.state(
         "linear-error-corner",

@@ -17,12 +17,12 @@ from symhaptic.proof.roots import rounded
 
 def derive(page):
     page.say(
-        "The error has the value $\\varepsilon$ where "
-        "$\\Delta-\\varepsilon\\,(d+\\frac12)(\\alpha+\\gamma)$ vanishes. Times $|M|^2$ this is a "
-        "polynomial in $y$, of degree $d+2$, with coefficients in the arm's numbers $\\nu$, $s_1$, "
-        "$s_2$. Flint encloses all of its roots, each in a ball of its own, and those of "
-        "$\\alpha+\\gamma$, the first of which ends the arc. The tables list every root between "
-        "0 and there, with $\\theta=2\\arcsin\\frac{\\sqrt y}2$: there is no other point of these "
+        r"The error has the value $\varepsilon$ where "
+        r"$\Delta-\varepsilon\,(d+\frac12)(\alpha+\gamma)$ vanishes. Times $|M|^2$ this is a "
+        r"polynomial in $y$, of degree $d+2$, with coefficients in the arm's numbers $\nu$, "
+        "$s_1$, $s_2$. Flint encloses all of its roots, each in a ball of its own, and those of "
+        r"$\alpha+\gamma$, the first of which ends the arc. The tables list every root in this "
+        r"interval, with $\theta=2\arcsin\frac{\sqrt y}2$: there is no other point of these "
         "errors on any of the ten boundaries."
     )
     for delay in DELAYS:
@@ -31,9 +31,9 @@ def derive(page):
     page.same("no gap", *(linear.arc(n).above.subs(undamped) for n in DELAYS), S.Zero)
     page.say(
         "Without damping there is no gap, $y$ is a factor that is divided out, and the line is "
-        "met at the origin. With damping the error grows beyond all bounds towards the start; the "
-        "marks of $-2\\,\\%$ and $-5\\,\\%$ with $\\alpha<0$ lie next to the corner at "
-        "$\\alpha=-0.001$, too near to it to be seen."
+        "met at the origin. With damping the error is unbounded towards the start; the marks of "
+        r"$-2\,\%$ and $-5\,\%$ with $\alpha<0$ lie so close to the corner at $\alpha=-0.001$ "
+        "that the figure cannot show them."
     )
     for delay in DELAYS:
         rows = [
@@ -59,10 +59,10 @@ def derive(page):
         for damping in DAMPINGS:
             counted(page, delay, damping)
     page.say(
-        "A theorem says less, and needs no roots in balls: at an angle next to that of each mark "
-        "the wall of the boundary has the error of the mark to a hundredth of a percent. The "
-        "curves' walls have a zero at $e^{j\\theta}$ and are not stable, and stable walls lie "
-        "right of $\\alpha=-\\gamma$."
+        "The theorem is weaker than the tables: at an angle near that of each mark the wall of "
+        "the boundary has the error of the mark to a hundredth of a percent. The curves' walls "
+        r"have a zero at $e^{j\theta}$ and are not stable, and stable walls lie right of "
+        r"$\alpha=-\gamma$."
     )
     page.settle(
         "fig10",

@@ -1,4 +1,4 @@
-r"""Is the linear condition ever exact without arm and damping?
+"""Is the linear condition exact for a free mass?
 
 For a free mass the line of (25) is the tangent of the boundary at its start, the origin. We ask on
 which side of it the stable walls lie, for every delay.
@@ -15,15 +15,15 @@ def derive(page):
     stiffness, damping = boundary.wall(plant.sampled(plant.normalised(Parts(False, False))))
     surplus = sin((d + HALF) * theta) - (2 * d + 1) * sin(theta / 2) * cos(LATE)
     page.step(
-        "The boundary lies above the line by a surplus",
+        "The boundary lies above the line",
         (damping - (d + HALF) * stiffness) * cos(theta / 2) ** 2,
         2 * sin(theta / 2) * surplus,
         name=r"\cos^2\tfrac\theta2\;(\beta-(d+\tfrac12)\alpha)",
     )
     page.say(
         "By $z=(1+s)/(1-s)$ the inside of the unit circle becomes the left half plane, and $z=1$ "
-        "becomes $s=0$. Of the polynomial in $s$ that this makes, the lowest coefficients tell "
-        "what a stable wall needs near $z=1$, however many periods it is late:"
+        "becomes $s=0$. The lowest coefficients of this polynomial in $s$ give necessary "
+        "conditions for stability near $z=1$, for every delay:"
     )
     page.lemma(
         "A stable wall of a free mass satisfies three inequalities of Hurwitz",
@@ -32,7 +32,7 @@ def derive(page):
     )
     slack = 2 * beta - d * alpha
     page.step(
-        "The third one is the surplus over the line, less what is positive",
+        "The third inequality is the distance from the line minus a positive term",
         minors()[-1].conclusion.right * 3,
         24 * (beta - alpha * (d + HALF))
         - 3 * (d + 1) * (slack**2 + (d + 1) * alpha * slack + d * (d + 2) * alpha**2 / 3),
@@ -41,8 +41,8 @@ def derive(page):
     )
     page.lemma("Every stable wall of a free mass satisfies (25)", above_the_line(), boxed=True)
     page.say(
-        "It is necessary, but no part of its border is safe. With damping part of it is "
-        "(\\chapter{s4e_line_passive})."
+        "The condition is necessary, but no wall on its border is stable. With damping some of "
+        r"them are (\chapter{s4e_line_passive})."
     )
     page.state(
         "linear-free-mass",
@@ -54,7 +54,7 @@ def derive(page):
         "linear-free-mass",
         of_a_free_mass(),
         example={alpha: S.One, beta: S.One, d: S.Zero},
-        note="by what stability needs near $z=1$, for every whole $d$ at once",
+        note="by necessary conditions near $z=1$, for every integer $d$ at once",
     )
 
 

@@ -1,7 +1,7 @@
-r"""Are the walls of the linear stability condition passive?
+"""Are the walls of the linear stability condition passive?
 
-The paper identifies its (24) with the straight part (9) of the passivity boundary, and uses it
-there to obtain passive walls. We compare the two, and ask what becomes of the arm's damping.
+The paper identifies its (24) with the straight part (9) of the passivity boundary, and uses it to
+obtain passive walls. We compare the two, and ask for the role of the arm's damping.
 """
 
 from sympy import sympify
@@ -19,7 +19,7 @@ from symhaptic.paper.propositions.linear import on_or_below_the_line
 def derive(page):
     low = b + B - K * T * (d + HALF)
     page.limit(
-        "At low frequencies (9) is what passivity asks for",
+        r"The limit of (5) for $\omega\to0$ is (9)",
         passivity.margin(),
         theta,
         S.Zero,
@@ -33,23 +33,23 @@ def derive(page):
         "With $t_d=dT$ (24) has the margin of low frequencies",
         b + B - K * t_e,
         low,
-        because="the same: a lag and low frequencies see the effective delay $t_e$ only",
+        because="the same: both depend on the effective delay $t_e$ only",
     )
     both = taken_apart(page.claim("s4e-same-as-passive"))[2]
     page.settle(
         "s4e-same-as-passive",
         same_condition(*both.of),
         example={K: S.One, B: S.One, b: S.One, T: S.One, d: S.One, t_d: S.One},
-        note="as formulas, for every real $d$. (9) bounds the passive walls for whole $d$ and in "
-        "its range of $B$ only, and with $b=b_D$ by (3)",
+        note="as formulas, for every real $d$. (9) bounds the passive walls for integer $d$ and "
+        "in its range of $B$ only, and with $b=b_D$ by (3)",
     )
     page.say(
-        "In (24) the damping is $b_D+b_H$ by (2), in (9) it is $b_D$ by (3): the arm may do what "
-        "it likes, its damping does not count for passivity. A wall between the two bounds "
+        "In (24) the damping is $b_D+b_H$ by (2), in (9) it is $b_D$ by (3): for passivity the "
+        "arm is arbitrary, and its damping does not count. A wall between the two bounds "
         "satisfies (24) and is not passive:"
     )
     page.step(
-        "Beside an arm (24) allows more than (9)",
+        "With an arm (24) admits more walls than (9)",
         (b_D + b_H + B) / (T * (d + HALF)) - (b_D + B) / (T * (d + HALF)),
         b_H / (T * (d + HALF)),
         name="K_{(24)}-K_{(9)}",
@@ -60,9 +60,9 @@ def derive(page):
         (low * T / m).subs(scaled),
         linear.surplus(),
         name=r"\tfrac TmF|_{\theta\to0}",
-        because="with $\\delta=b_DT/m$; by \\chapter{s3c_linear_part_condition} the low "
-        "frequencies are the strictest for whole $d$, $\\alpha\\ge0$ and "
-        "$-\\delta\\le\\beta\\le\\frac d{2d+3}\\delta$",
+        because=r"with $\delta=b_DT/m$; by \chapter{s3c_linear_part_condition} the low frequencies "
+        r"are the strictest for integer $d$, $\alpha\ge0$ and $-\delta\le\beta\le\frac "
+        r"d{2d+3}\delta$",
     )
     in_its_range(page)
     page.settle_external(
@@ -76,7 +76,7 @@ def derive(page):
 def in_its_range(page):
     """Which walls of the line are passive."""
     page.lemma(
-        "For $\\delta=b_DT/m$ the walls on the line or below are passive", passive_on_the_line()
+        r"For $\delta=b_DT/m$ the walls on or below the line are passive", passive_on_the_line()
     )
     claim = page.claim("s4e-passive-range")
     passive = taken_apart(claim)[2]
@@ -102,8 +102,8 @@ def in_its_range(page):
             )
             for (point, motion), but in zip(cases[::-1], extra[::-1], strict=True)
         ],
-        shows=r"an undamped device in an arm with $b_H=1$: $K=T=1$, $B=d=0$ satisfies (24), and "
-        r"gives energy away",
+        shows="an undamped device in an arm with $b_H=1$: $K=T=1$, $B=d=0$ satisfies (24), and "
+        "delivers energy",
         note="with equality in (25), too. Passive walls are stable with every spring, so here "
         "(25) is safe for every $\\gamma\\ge0$; for fractional $d$ no wall of the border is "
         "passive",

@@ -1,7 +1,7 @@
-r"""How near to the boundary is the line of the linear condition?
+r"""How close is the line of the linear condition to the boundary?
 
-The paper linearises the boundary around the origin for small $\alpha$. In the limit of short
-periods the line is what all boundaries tend to, for every delay. We ask how far they are from it.
+The paper linearises the boundary around the origin for small $\alpha$. For short periods all
+boundaries tend to this line, for every delay. We ask for their distance from it.
 """
 
 from symhaptic.book.lemmas.linear_boundary import TOTAL
@@ -15,9 +15,9 @@ from symhaptic.paper.propositions.linear_error import short_periods
 
 def derive(page):
     page.say(
-        "On the boundary is a wall that is not stable while all that are softer, down to "
-        "$\\alpha=-\\gamma$, are: Jury's largest minor is zero there. On the line this is, with "
-        "$A=\\alpha+\\gamma$, $w=n_1-n_0$ and the gap $G=g\\,(n_1+n_0)$,"
+        "A wall on the boundary is not stable, while all walls of less stiffness, down to "
+        r"$\alpha=-\gamma$, are: Jury's largest minor is zero there. On the line it is, with "
+        r"$A=\alpha+\gamma$, $w=n_1-n_0$ and the gap $G=g\,(n_1+n_0)$,"
     )
     loss = 1 + gamma * n_0 - (delta + gamma / 2) * TOTAL - GAP
     small = delta + gamma / 2
@@ -28,7 +28,8 @@ def derive(page):
         + A * (UNEVEN / 2 + n_0 * small * (4 * n_0 + 3 * UNEVEN) / 2)
         - A**2 * n_0 * (4 * n_0 + 3 * UNEVEN) / 4,
         name=r"\Delta_2",
-        because="products of two small numbers; one period late it is the same with others",
+        because="products of two small numbers; with one period of delay it is the same with "
+        "others",
     )
     page.lemma(
         "$n_1$ exceeds $n_0$ by at most $\\frac16\\delta$", nearly_even(), because="bounds $w$"
@@ -40,9 +41,9 @@ def derive(page):
     )
     page.say(
         "Neither $w$ nor $G$ is negative. The minor rises with the surplus "
-        "$\\Delta=\\beta+\\delta-(d+\\frac12)\\alpha$ over the line, nearly by as much. So the "
-        "surplus of the boundary is of this order, too: with a factor of 3 for all of (23), one "
-        "period late and without delay."
+        r"$\Delta=\beta+\delta-(d+\frac12)\alpha$ over the line, nearly by as much. So the "
+        "distance of the boundary from the line is of this order, too: with a factor of 3 on all "
+        "of (23), for $d=0$ and $d=1$."
     )
     second_order(page)
     order_of_period(page)
@@ -55,9 +56,9 @@ def second_order(page):
         "s4e-linearised",
         linearised(),
         example=dict.fromkeys(symbols, S.Zero),
-        note="in $\\alpha$, $\\gamma$ and $\\delta$ together, for $d=0$ and $d=1$. Of one arm the "
+        note=r"in $\alpha$, $\gamma$ and $\delta$ together, for $d=0$ and $d=1$. For one arm the "
         "line is not the tangent (linear-tangent): the boundary without a spring starts at "
-        "$(0,-\\delta)$, and the tangent there is flatter",
+        r"$(0,-\delta)$ with a smaller slope",
     )
 
 

@@ -1,8 +1,8 @@
-r"""Is virtual damping as good as physical damping?
+"""Is virtual damping as good as physical damping?
 
-In (24) they are one sum. The paper concludes that, where its linear condition holds, damping in
-discrete time dissipates like damping in continuous time. On the exact boundary we exchange one for
-the other.
+In (24) only their sum occurs. The paper concludes that, where its linear condition holds, damping
+in discrete time dissipates like damping in continuous time. We exchange one for the other on the
+exact boundary.
 """
 
 from symhaptic.book.lemmas.linear import turned
@@ -39,7 +39,7 @@ def derive(page):
         "as for the tangent: the parabola is $\\beta=(d+\\frac12)\\alpha-\\delta+\\Delta$",
     )
     page.step(
-        "A unit of physical damping saves more than one of virtual damping",
+        "A unit of physical damping replaces more than one unit of virtual damping",
         -diff(bound, delta),
         1 + flat * alpha / 12,
         name=r"-\frac{\partial\beta}{\partial\delta}\Big|_\alpha",
@@ -48,10 +48,9 @@ def derive(page):
         "$d=0$ and 2\\,\\% more for $d=1$",
     )
     page.say(
-        "The difference decides already where the linear condition is good to a few per cent. "
-        "Take $d=1$, $\\gamma=0.001$ and the wall $\\alpha=0.01$ with "
-        "$\\beta+\\delta=0.015$, on the line of (25). With physical damping it is stable, with "
-        "virtual damping alone it is not:"
+        "The difference matters already where the linear condition is accurate to a few percent. "
+        r"Take $d=1$, $\gamma=0.001$ and the wall $\alpha=0.01$ with $\beta+\delta=0.015$, on the "
+        "line of (25). With physical damping it is stable, with virtual damping alone it is not:"
     )
     wall = {alpha: Rational(1, 100), gamma: Rational(1, 1000), d: S.One}
     physical = {**wall, beta: -Rational(1, 200), delta: Rational(1, 50)}
@@ -70,8 +69,8 @@ def derive(page):
 def settle(page, physical, virtual):
     """One damping may stand for the other where (25) decides for both."""
     page.say(
-        "So the two are worth the same in the limit $\\alpha\\to0$, and beside it only where (25) "
-        "tells stable from unstable for both, since it has their sum in it and nothing else."
+        r"So the two are equivalent in the limit $\alpha\to0$. Otherwise they are equivalent only "
+        "where (25) decides correctly for both, since it contains only their sum."
     )
     claim = page.claim("s6-linear-dissipation")
     same = taken_apart(claim)[2]

@@ -1,8 +1,8 @@
 r"""From which damping on does the error exceed 2 per cent for negative $\beta$?
 
-The paper reads such cases from its Fig. 10 for $\delta>0.015$. Next to the start of the boundary
-they exist for every damping, since the error has no bound there. This chapter finds the damping
-from which on there are such walls with $\alpha\ge0$.
+The paper reads such cases from its Fig. 10 for $\delta>0.015$. Near the start of the boundary they
+exist for every damping, since the error is unbounded there. This chapter finds the damping from
+which on there are such walls with $\alpha\ge0$.
 """
 
 from symhaptic.book.lemmas.linear_corner import in_the_corner
@@ -20,10 +20,9 @@ HALF, LEVEL = Rational(1, 2), Rational(2, 100)
 
 def derive(page):
     page.say(
-        "While $\\beta\\le0$ the error rises along the boundary, and is less than $2\\,\\%$ "
-        "(\\chapter{s4e_line_error_rises}). Among the walls with $\\alpha\\ge0$ there it is beyond "
-        "$-2\\,\\%$ for some if and only if it is so at $\\alpha=0$. There the wall of this error "
-        "has"
+        r"While $\beta\le0$ the error rises along the boundary, and is less than $2\,\%$ "
+        r"(\chapter{s4e_line_error_rises}). Some wall with $\alpha\ge0$ has an error below "
+        r"$-2\,\%$ if and only if the wall at $\alpha=0$ has. There the wall of this error has"
     )
     page.step(
         "At $\\alpha=0$ an error of $-2\\,\\%$ is reached at one damping",
@@ -33,12 +32,12 @@ def derive(page):
         because="zero for $\\beta=-\\delta-0.02\\,(d+\\frac12)\\gamma$",
     )
     page.say(
-        "In the coordinates of \\chapter{s4e_line_error_rises} it lies on the ray "
-        "$b=0.98\\,(d+\\frac12)A$, at $A=\\gamma$. On a ray Jury's minor is bent downwards. At "
-        "its start it is not negative, and hardly more than the gap. Where the minor is negative "
-        "at $A=\\gamma$, so it is for all stiffer walls of the ray, and the boundary lies on the "
-        "other side: the error is smaller. Where it is positive, a wall of the boundary with "
-        "$\\alpha$ just above zero has the larger error."
+        r"In the coordinates of \chapter{s4e_line_error_rises} it lies on the ray "
+        r"$b=0.98\,(d+\frac12)A$, at $A=\gamma$. On a ray Jury's minor is concave. At its start "
+        "it is not negative, and hardly larger than the gap. If the minor is negative at "
+        r"$A=\gamma$, it is negative for all stiffer walls of the ray, and the error of the "
+        r"boundary is smaller. If it is positive, a wall of the boundary with $\alpha$ just above "
+        "zero has a larger error."
     )
     page.lemma(
         "The gap $G$ is at most $\\frac1{32}\\gamma^2\\delta$",
@@ -70,7 +69,7 @@ def own(page):
         "linear-two-percent",
         theorem,
         example={delta: DAMPED},
-        note="without a spring it takes slightly more damping",
+        note="without a spring the damping is slightly larger",
     )
 
 
@@ -84,9 +83,9 @@ def papers(page):
         "s4e-two-percent",
         every,
         example={delta: DAMPED},
-        note="nothing begins at 0.015: inside (23) such walls exist for every $\\gamma\\delta>0$ "
-        "(linear-error-corner), next to the corner at $\\alpha=-\\gamma$; with $\\alpha\\ge0$ they "
-        "exist from $\\delta=0.01481$ on for $d=1$ and from $0.01744$ on for $d=0$ "
+        note=r"0.015 is not a threshold: inside (23) such walls exist for every $\gamma\delta>0$ "
+        r"(linear-error-corner), next to the corner at $\alpha=-\gamma$; with $\alpha\ge0$ "
+        r"they exist from $\delta=0.01481$ on for $d=1$ and from $0.01744$ on for $d=0$ "
         "(linear-two-percent)",
     )
 

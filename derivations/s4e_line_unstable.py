@@ -1,7 +1,7 @@
-r"""On which side of the exact boundary does the line of the linear condition lie?
+"""On which side of the exact boundary does the line of the linear condition lie?
 
-The paper says that above its crossing with the boundary the line runs through unstable walls. We
-ask whether there is one crossing only, for every spring and damping of the ranges (23).
+The paper says that the walls on the line above its crossing with the boundary are unstable. We ask
+whether there is one crossing only, for every spring and damping of the ranges (23).
 """
 
 from symhaptic.book.lemmas.line_crossing import one_crossing, room
@@ -28,26 +28,27 @@ def derive(page):
         total * (1 - n_0 * wall) * ((alpha + gamma) / 2 + linear.GAP)
         - n_0 * (1 + n_1 * wall) * (alpha + gamma),
         name=r"\Delta_2",
-        because="at the start of the line, $\\alpha=-\\gamma$, the first term is left, which is "
+        because=r"at the start of the line, $\alpha=-\gamma$, only the first term remains, which "
+        r"is "
         "not negative",
     )
     page.step(
-        "The minor is bent downwards on the line",
+        "The minor is concave on the line",
         on_it.expand().coeff(alpha, 2),
         -n_0 * (n_0 + 3 * n_1) / 4,
         name=r"\tfrac12\,\Delta_2''(\alpha)",
     )
     page.lemma("The gap of an arm is not negative", room(), because="$g(n_1+n_0)$, on all of (23)")
     page.say(
-        "A polynomial that is not negative at the start, is bent downwards and is positive at some "
-        "$\\alpha$ is positive at all softer walls of the line. The other inequalities without "
-        "delay are straight on the line. One period late the minor is a cubic, which the plant's "
-        "numbers in balls bend downwards up to $\\alpha=0.16$; and no stiffer wall is stable. So "
-        "the stable walls of the line end at one wall, its only crossing with the boundary:"
+        r"A concave function that is not negative at the start and is positive at some $\alpha$ "
+        r"is positive for all smaller $\alpha$ on the line. The other inequalities without delay "
+        "are linear on the line. With one period of delay the minor is a cubic. Ball arithmetic "
+        r"shows that it is concave up to $\alpha=0.16$; no stiffer wall is stable. So the stable "
+        "walls of the line end at one wall, its only crossing with the boundary:"
     )
     theorem = as_claimed(page.claim("s4e-unstable-side"), one_crossing())
     page.lemma(
-        "Of two walls on the line the softer one is stable if the stiffer one is",
+        "If a wall on the line is stable, every less stiff wall on the line is stable",
         theorem,
         because="for $d=0$ and $d=1$, on all of (23)",
         boxed=True,

@@ -14,7 +14,7 @@ from symhaptic.paper.propositions.linear import safe
 def derive(page):
     flat, rise = 6 * (d + 1) ** 2 + 1, (d + 1) * (2 * d + 1) * (2 * d + 3)
     page.step(
-        "For short periods the line crosses at a share of $\\delta$",
+        r"For short periods the crossing is at a multiple of $\delta$",
         (d + Rational(1, 2)) * flat * delta / rise - delta,
         (2 * d**2 + 2 * d + 1) * delta / (2 * (d + 1) * (2 * d + 3)),
         name=r"\beta_\times",
@@ -22,15 +22,15 @@ def derive(page):
         "for $d=1$, nearly half for long delays",
     )
     page.say(
-        "The walls with (25), $\\alpha>-\\gamma$ and $\\beta\\le\\beta_\\times$ are a triangle. "
-        "Beside each of them there is a stiffer wall of the same damping on the line, which is not "
-        "above the crossing and so is stable. With less stiffness the largest of Jury's minors is "
-        "larger, and the other inequalities hold in the whole triangle."
+        r"The walls with (25), $\alpha>-\gamma$ and $\beta\le\beta_\times$ are a triangle. For "
+        "each of them there is a stiffer wall of the same damping on the line, which is not "
+        "above the crossing and so is stable. With less stiffness the largest of Jury's minors "
+        "is larger, and the other inequalities hold in the whole triangle."
     )
     claim = safe()
     theorem = as_claimed(claim, below_the_crossing())
     page.lemma(
-        "What satisfies (25) and has at most the damping of a stable wall on its line is stable",
+        "A wall with (25) and at most the damping of a stable wall on the line is stable",
         theorem,
         because="for $d=0$ and $d=1$, on all of (23)",
         boxed=True,
@@ -44,7 +44,7 @@ def derive(page):
     arm = {gamma: Rational(1, 1000), delta: Rational(1, 50)}
     wall = {alpha: Rational(1, 100), beta: -Rational(5, 1000), x: Rational(1, 100)}
     late = {**arm, alpha: wall[x], beta: Rational(3, 2) * wall[x] - arm[delta], d: S.One}
-    page.lemma("On the line, one period late, $\\alpha=0.01$ is stable", stable_at(late))
+    page.lemma(r"On the line, with one period of delay, $\alpha=0.01$ is stable", stable_at(late))
     page.settle(
         "linear-safe",
         theorem,

@@ -1,7 +1,7 @@
 r"""What does the passivity boundary look like in the plane of the stability analysis?
 
-Table I turns $(K,B)$ into $(\alpha,\beta)$. The passive walls can then be drawn beside the stable
-ones, and only the damping $\delta$ and the delay are left.
+Table I turns $(K,B)$ into $(\alpha,\beta)$. The passive walls can then be drawn in the same plane
+as the stable ones, and depend only on the damping $\delta$ and the delay.
 """
 
 from symhaptic.book.lemmas.motions import STEPS, half_late, not_on_boundary
@@ -24,15 +24,15 @@ def derive(page):
         "coordinates are proportional to $\\delta$."
     )
     page.step(
-        "One frequency gives one line",
+        "The condition at one frequency is bounded by a line",
         line,
         delta - passivity.dirichlet_form(omega_hat).subs({K: alpha, B: beta, T: 1}),
         name=r"\tfrac{T}{m}(b-b_{\min})",
     )
     page.say(
-        "As in physical units, the curve is the boundary for $0<\\hat\\omega\\le\\pi/(d+1)$ and "
-        "$d>0$. Beyond, up to $\\pi$, it leaves the passive walls and bounds nothing; for some "
-        "delays, such as $d=\\tfrac14$, it even has a pole there."
+        r"As in physical units, the curve is the boundary for $0<\hat\omega\le\pi/(d+1)$ and "
+        r"$d>0$. Beyond, up to $\pi$, it is not on the border of the passive region; for some "
+        r"delays, such as $d=\tfrac14$, it has a pole there."
     )
     _boundary(page, Eq(alpha, in_plane[0]), Eq(beta, in_plane[1]))
 
@@ -43,13 +43,13 @@ def _boundary(page, *forms):
     then = taken_apart(page.claim("eq27"))[2]
     curve, others = then.of
     on_it = page.lemma(
-        "A wall of (27), in SI units, is passive, and needs all of the damping",
+        "A wall of (27), in SI units, is passive, and requires exactly the damping $b$",
         in_units(),
         because="it is the wall of (7) with $\\omega=\\hat\\omega/T$",
         boxed=True,
     )
     above = page.lemma(
-        "Behind a delay, above the corner, the boundary has no other walls",
+        "With a delay, above the corner, the boundary has no other walls",
         above_in_units(others.of[1]),
         because="by \\chapter{s3b_rise} they are walls of (7), at $\\hat\\omega=\\omega T$ of (27)",
         boxed=True,
@@ -70,7 +70,8 @@ def _boundary(page, *forms):
             whole(d): (half, not_on_boundary(then, half, half_late(Rational(17, 10)))),
             end: (high, not_on_boundary(then, high, STEPS)),
         },
-        shows=r"for $d=1$, $\hat\omega=\tfrac23\pi$ (27) gives $(-4,2)\,\delta$: it pulls the hand",
+        shows=r"for $d=1$, $\hat\omega=\tfrac23\pi$ (27) gives $(-4,2)\,\delta$: it has a negative "
+        "stiffness",
         note=r"without delay (27) is the single point $(2\delta,0)$, and the rest of the boundary "
         "is (6); for other $d>0$ it bounds the walls of (5); larger angles bound nothing",
     )

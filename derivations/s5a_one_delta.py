@@ -1,4 +1,4 @@
-r"""Does one damping describe a held device, for passivity and for stability?
+r"""Can one damping describe a device with an arm, for passivity and for stability?
 
 By (2) the damping of the loop is that of device and arm together. By (3) the damping that counts
 for passivity is that of the device alone. Figs. 11 to 13 and the ratio $\eta$ have one $\delta$ for
@@ -41,9 +41,9 @@ from symhaptic.paper.propositions.ratio import BEST
 def derive(page):
     page.say(
         "Let a device with the mass $m_D$ and the damping $b_D$ be held by an arm with the mass "
-        "$m_H$, the damping $b_H$ and the stiffness $k_H$. The mass of (2) normalises the wall: "
-        "$\\alpha=KT^2/(m_D+m_H)$ and $\\beta=BT/(m_D+m_H)$. In these units the damping of the "
-        "loop is $\\delta$, and that of the device is $\\delta_D$:"
+        "$m_H$, the damping $b_H$ and the stiffness $k_H$. The total mass of (2) normalises the "
+        r"wall: $\alpha=KT^2/(m_D+m_H)$ and $\beta=BT/(m_D+m_H)$. In these units the damping of "
+        r"the loop is $\delta$, and that of the device is $\delta_D$:"
     )
     page.define("Damping of device and arm", delta, T * (b_D + b_H) / (m_D + m_H))
     page.define("Damping of the device", r"\delta_D", T * b_D / (m_D + m_H))
@@ -54,28 +54,29 @@ def derive(page):
         because="(5) is linear in $K$, $B$ and $b$; $\\omega T$ is the normalised angle",
     )
     page.say(
-        "So the passive walls of a held device are those that (5) gives for $\\delta_D$. The "
-        "region that (5) gives for $\\delta$ is larger by the factor $1+b_H/b_D$ in each "
-        "direction. A passive wall is stable all the same, and some stable walls are stiffer by "
+        r"So the passive walls of a device with an arm are those that (5) gives for $\delta_D$. "
+        r"The region that (5) gives for $\delta$ is larger by the factor $1+b_H/b_D$ in each "
+        "direction. A passive wall is stable nevertheless, and some stable walls are stiffer by "
         "this factor than every passive wall."
     )
     page.lemma(
-        "A wall with $K>0$ that meets (5) with the damping of the device is stable in every arm",
+        "A wall with $K>0$ that meets (5) with the damping of the device is stable with every arm",
         stays_stable(),
         because="such a wall meets (5) with the larger damping of device and arm, and a wall that "
         "does so is stable with every spring",
     )
     page.lemma(
-        "In every arm some stable wall is at least $1+b_H/b_D$ times as stiff as all passive walls",
+        "With every arm some stable wall is at least $1+b_H/b_D$ times as stiff as all passive "
+        "walls",
         outdone_by_the_arm(),
-        because="the wall (11) with the damping of device and arm is stable in the arm; every "
-        "passive wall is softer than (11) with the damping of the device",
+        because="the wall (11) with the damping of device and arm is stable with the arm; every "
+        "passive wall is less stiff than (11) with the damping of the device",
         boxed=True,
     )
     page.say(
-        "So $\\eta\\le b_D/(b_D+b_H)$ for every whole delay. The ratio comes near 1 only for an "
-        "arm without damping. The number 0.9998 that Fig. 12 reaches at $d=40$ describes no device "
-        "that is held by an arm with damping."
+        r"So $\eta\le b_D/(b_D+b_H)$ for every integer delay. The ratio comes near 1 only for an "
+        "arm without damping. The number 0.9998 that Fig. 12 reaches at $d=40$ describes no "
+        "device with a damped arm."
     )
     numbers(page)
     page.settle(
@@ -91,10 +92,10 @@ def derive(page):
         unless=[counterexample_of()],
         shows=r"a device of 1 kg and 0.625 Ns/m in an arm of 1 kg and 14.6 Ns/m, $T=1$ ms and "
         r"$K=10\,000$ N/m: (5) holds with $\delta$ and fails with $b_D$",
-        note=r"right for an arm without damping. What stays true: passive walls are stable with "
-        r"every spring; the ratio of stable to passive stiffness exceeds 17.8 at $d=0$ and 9.3 at "
-        r"$d=1$. What does not: that $\eta$ comes near 1, and the sizes of the passive regions in "
-        r"Figs. 11 and 13",
+        note="right for an arm without damping. It remains true that passive walls are stable "
+        "with every spring, and that the ratio of stable to passive stiffness exceeds 17.8 "
+        r"at $d=0$ and 9.3 at $d=1$. It is not true that $\eta$ comes near 1, and the passive "
+        "regions of Figs. 11 and 13 are too large",
     )
 
 
@@ -125,7 +126,7 @@ def numbers(page):
         claim=claim,
     )
     page.settle("one-delta-figures", drawn_too_large(), example=easy(claim))
-    page.say("The two ratios of Sec. V-B stay true, for they become larger:")
+    page.say("The two ratios of Sec. V-B remain true, since they become larger:")
     claim = still_true()
     page.state(
         "one-delta-kept",
@@ -136,9 +137,9 @@ def numbers(page):
     )
     page.settle("one-delta-kept", ratios_kept(), example=easy(claim))
     page.say(
-        "Who tunes a device uses $b_D$ for passivity and $b_D+b_H$ for stability. Whoever puts the "
-        "damping of the arm into (5) calls walls passive that are $1+b_H/b_D$ times too stiff: 24 "
-        "times in the example. Such a wall can push the hand as soon as the grip loosens."
+        "To tune a device, use $b_D$ for passivity and $b_D+b_H$ for stability. With the damping "
+        "of the arm in (5), walls that are $1+b_H/b_D$ times too stiff appear to be passive: 24 "
+        "times in the example. Such a wall can deliver energy as soon as the grip loosens."
     )
 
 
@@ -185,7 +186,7 @@ def _on_the_circle(theorem: Theorem) -> Theorem:
 
 @cache
 def stays_stable() -> Theorem:
-    """A wall that meets (5) with the damping of the device is stable in every arm."""
+    """A wall that meets (5) with the damping of the device is stable with every arm."""
     loop = taken_apart(kept())[2]
     here = {**UNITS, gamma: SPRING, delta: WHOLE}
     known = HELD.and_(K > 0)
@@ -265,7 +266,7 @@ def drawn_too_large() -> Theorem:
 
 @cache
 def ratios_kept() -> Theorem:
-    """17.8 and 9.3 are passed by all the more with the damping of the device alone."""
+    """17.8 and 9.3 are exceeded with the damping of the device alone, too."""
     both_ = taken_apart(still_true())[2]
     parts = []
     for claim, delay, wall in zip(both_.of, (0, 1), (UNDELAYED, LATE), strict=True):

@@ -1,7 +1,7 @@
-r"""Is a passive wall stable with every spring, and what does damping do to the passive walls?
+"""Is a passive wall stable with every spring, and how do the passive walls depend on the damping?
 
-The spring did not enter the comparison: a wall that meets the passivity condition is stable in
-every hand, whatever its stiffness.
+The passivity condition does not contain the spring: a passive wall is stable with every arm,
+whatever its stiffness.
 """
 
 from symhaptic.book.lemmas.connections import passive_wall_is_stable, stays_on_circle
@@ -41,9 +41,9 @@ def _robust(page):
         springs,
         example=(wall, shown(wall)),
         unless={stiff: (drift, shown(drift), shaken)},
-        shows="without stiffness and spring the device drifts",
-        note="that is for every passive wall with stiffness, beside a damper; and for every "
-        "$\\gamma\\ge0$, beyond the Nyquist frequency too",
+        shows="without any stiffness the device drifts",
+        note="that is for every passive wall with stiffness and a damper; and for every "
+        r"$\gamma\ge0$, beyond the Nyquist frequency too",
     )
 
 
@@ -51,7 +51,7 @@ def _scaled(page):
     """(5) is linear in the wall and the damper."""
     need = passivity.dirichlet_form()
     page.step(
-        "The damping that is needed is proportional to the wall",
+        "The required damping is proportional to the wall",
         need.subs({K: y * K, B: y * B}, simultaneous=True),
         y * need,
         name=r"\text{need}(yK,yB)",

@@ -1,7 +1,7 @@
-r"""Is a passive wall stable, whatever the delay?
+"""Is a passive wall stable, whatever the delay?
 
-Passivity looks at energy, stability at roots. Both conditions have the delay in them, but at a
-root on the unit circle it drops out of the comparison, and the device alone decides.
+Passivity is about energy, stability about roots. Both conditions contain the delay, but for a root
+on the unit circle it cancels, and the device alone decides.
 """
 
 from symhaptic.book.figures.arguments import sides
@@ -23,52 +23,55 @@ from symhaptic.paper.propositions.comparison import STABLE, passive
 def derive(page):
     page.say(
         "In units of mass and period let $P=N/A$ be the sampled device, $A=z^2-az+e$ and "
-        "$N=n_1z+n_0$, and $W(z)=(\\alpha+\\beta(1-1/z))z^{-d}$ the wall with its delay. A root "
-        "of the loop has $1+PW=0$, so there the wall is $W=-1/P$, and the margin of passivity, "
-        "$\\delta+\\Re\\{W/(z-1)\\}$, becomes $\\delta-\\Re\\{1/((z-1)P)\\}$: delay, $\\alpha$ "
-        "and $\\beta$ have dropped out. Let a held force $F$ drive the device in a steady state "
-        "that turns by $z=e^{j\\theta}$ per period."
+        r"$N=n_1z+n_0$, and $W(z)=(\alpha+\beta(1-1/z))z^{-d}$ the wall with its delay. A root of "
+        "the loop has $1+PW=0$, so there the wall is $W=-1/P$, and the margin of passivity, "
+        r"$\delta+\Re\{W/(z-1)\}$, becomes $\delta-\Re\{1/((z-1)P)\}$: it no longer contains the "
+        r"delay, $\alpha$ and $\beta$. Let a held force $F$ drive the device in a steady state "
+        r"that is multiplied by $z=e^{j\theta}$ per period."
     )
     page.step(
-        "Work is stored or burnt",
+        "The work is stored or dissipated",
         v * (F - delta * v - gamma * x) + gamma * x * v,
         F * v - delta * v**2,
         name=r"\tfrac{d}{dt}\,\tfrac12(v^2+\gamma x^2)",
         because="Newton's law is $\\dot v=F-\\delta v-\\gamma x$, and $\\dot x=v$",
     )
     page.step(
-        "A given way costs the damper least at constant speed",
+        "For a given displacement the damper dissipates least at constant speed",
         v**2,
         (v - p_k) ** 2 + 2 * v * p_k - p_k**2,
         because="over one period the last two terms integrate to $p_k^2$",
     )
     page.lemma(
-        "A held force that turns by $z$ does more work than the way alone would burn",
+        "A held force does more work than the damper dissipates at constant speed",
         held_steady_state(assume(DEVICE), theta),
-        because="the stored energy is the same after each period, and the speed is not constant "
-        "where $z\\ne1$",
+        because=r"the stored energy is the same after each period, and for $z\ne1$ the speed is "
+        r"not "
+        "constant",
     )
     page.say(
-        "Divided by $|(z-1)N|^2$ this is $\\delta<\\Re\\{1/((z-1)P)\\}$. Now take a wall that "
-        "meets (5) and turn it up from nothing to $yW$, $0<y\\le1$. A root of the loop at "
-        "$e^{j\\theta}$ has $1/P=-yW$, so that $\\delta+y\\Re\\{W/(z-1)\\}<0$. But that is "
-        "$(1-y)\\delta$ and $y$ times the margin, and neither is negative."
+        r"Divided by $|(z-1)N|^2$ this is $\delta<\Re\{1/((z-1)P)\}$. Now take a wall $W$ that "
+        r"meets (5) and scale it from zero, $yW$ with $0<y\le1$. A root of the loop at "
+        r"$e^{j\theta}$ has $1/P=-yW$, so that $\delta+y\Re\{W/(z-1)\}<0$. But that is "
+        r"$(1-y)\delta$ and $y$ times the margin, and neither is negative."
     )
-    page.lemma("No root crosses the circle while the wall is turned up", no_crossing())
+    page.lemma(
+        "No root crosses the circle while the wall is scaled from zero to $W$", no_crossing()
+    )
     page.figure(
         "sides",
         "Upper half circle: where a root is on it, wall and device meet. The device stays on the "
-        "left of $-\\delta$, and a passive wall on its right, however far it is turned up "
-        "($\\gamma=0.05$, $\\delta=0.4$, one period of delay).",
+        r"left of $-\delta$, and a passive wall on its right, for every scale ($\gamma=0.05$, "
+        r"$\delta=0.4$, one period of delay).",
         sides,
         height=0.5,
     )
     page.lemma(
         "A wall with a margin at every angle is stable with every spring and damper",
         passive_is_stable(),
-        because="zeros are continuous in the coefficients. Without a wall those of a damped and "
-        "held device lie inside; without a spring one lies at 1, and the first stiffness moves it "
-        "inwards",
+        because="zeros are continuous in the coefficients. Without a wall those of a damped device "
+        "with a spring lie inside; without a spring one lies at 1, and a small stiffness "
+        "moves it inside",
         boxed=True,
     )
     _subset(page)
@@ -76,13 +79,13 @@ def derive(page):
 
 def _subset(page):
     page.say(
-        "So (5) and (18) say for whole delays, where both are exact. For other delays the held "
-        "force is looked at itself, as in \\chapter{s6e_fractional_passive_is_stable}."
+        "This is the proof for integer delays, where (5) and (18) are exact. For other delays "
+        r"the held force itself is considered, as in \chapter{s6e_fractional_passive_is_stable}."
     )
     exact, computed = page.claim("s5a-subset").of
     arm = {gamma: STIFF, delta: DAMPED}
     held = page.lemma(
-        "A passive wall keeps a damped device with a spring stable, for every delay",
+        "A passive wall is stable with a damped device with a spring, for every delay",
         held_passive_is_stable(),
         because="the stiffness of a passive wall is not negative",
     )
@@ -94,7 +97,7 @@ def _subset(page):
     page.settle(
         "s5a-subset",
         conj(as_claimed(exact, first), as_claimed(computed, second)),
-        note="the first is of the held force and of every real delay, the second of (5) and (18)",
+        note="the first is for the held force and every real delay, the second for (5) and (18)",
     )
     _every_arm(page)
 
@@ -119,7 +122,7 @@ def _every_arm(page):
             HELD: (drift, *(shown(drift), stays_on_circle(drift, S.Zero))),
             DAMPED_DEVICE: (swing, *(shown(swing), stays_on_circle(swing, pi / 2))),
         },
-        shows="a passive wall without stiffness lets a free mass drift, and without a damper a "
-        "spring swings for ever",
+        shows="with a passive wall without stiffness a free mass drifts, and without a damper a "
+        "spring oscillates for ever",
         note="by the energy of the held force, for every real delay",
     )

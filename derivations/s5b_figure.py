@@ -1,7 +1,8 @@
-r"""Does the largest stable stiffness meet the largest passive one?
+r"""Is the largest stable stiffness ever equal to the largest passive one?
 
 Fig. 12 of the paper draws both over the delay, and the ratio $\eta$ of the passive to the stable
-one. Stable walls are stiffer, but the ratio comes close to one. What happens there, and beyond?
+one. Stable walls are stiffer, but the ratio comes close to one. We study this delay and longer
+ones.
 """
 
 import itertools
@@ -37,7 +38,7 @@ def derive(page):
         "condition, which bounds the stiffness alone:"
     )
     page.step(
-        "At $(d+1)\\theta=\\frac\\pi2$ passivity needs this damping",
+        r"At $(d+1)\theta=\frac\pi2$ the required damping does not contain $\beta$",
         passivity.dirichlet_form().subs({K: alpha, T: S.One}).subs(quarter),
         alpha / (2 * tan(theta / 2)),
         name=r"\frac{\alpha\sin(d+\frac12)\theta}{2\sin\frac\theta2}-\beta\cos(d+1)\theta",
@@ -56,7 +57,7 @@ def derive(page):
     )
     bare = plant.numbers(S.Zero, delta)
     page.limit(
-        "Without a spring the bound exceeds that of the damper in the second order",
+        "Without a spring the bound exceeds that of passivity in the second order",
         (tip.subs(bare) / (2 * delta * tan(theta / 2)) - 1) / theta**2,
         theta,
         S.Zero,
@@ -66,10 +67,11 @@ def derive(page):
         "ratio $\\eta$ is about $1-\\theta^2/12$",
     )
     page.say(
-        "So they do not meet. The stiffest passive wall is stable, and so is one a little stiffer: "
-        "$\\eta<1$ for every whole delay. For $\\delta=0.02$ the tip has that angle near $d=122$ "
-        "without a spring and near $d=40$ with $\\gamma=0.001$. There $\\eta$ exceeds $0.9999$ and "
-        "$0.9998$, which cannot be told from 1 in print. For longer delays the tip moves on:"
+        "So they are never equal. The passive wall of maximum stiffness is stable, and so is a "
+        r"slightly stiffer one: $\eta<1$ for every integer delay. For $\delta=0.02$ the tip has "
+        r"that angle near $d=122$ without a spring and near $d=40$ with $\gamma=0.001$. There "
+        r"$\eta$ exceeds $0.9999$ and $0.9998$, which looks like 1 in a figure. For longer delays "
+        "the angle of the tip increases:"
     )
     far = symbols("u")
     page.limit(
@@ -79,10 +81,10 @@ def derive(page):
         S.Zero,
         delta * phi * sin(phi),
         name=r"\frac{1}{u}\alpha\big|_{\theta=\varphi u}",
-        because="with $u=1/(d+1)$ and $\\theta=\\varphi u$: the mass is forgotten",
+        because=r"with $u=1/(d+1)$ and $\theta=\varphi u$: the limit does not contain the mass",
     )
     page.limit(
-        "The stiffest passive wall falls like the inverse of the delay",
+        "The passive wall of maximum stiffness falls like the inverse of the delay",
         2 * delta * tan(pi * far / 4) / far,
         far,
         S.Zero,
@@ -90,14 +92,14 @@ def derive(page):
         name=r"\frac{2\delta\tan\frac{\pi u}{4}}{u}",
     )
     page.say(
-        "This is the stable one at $\\varphi=\\tfrac\\pi2$, but $\\varphi\\sin\\varphi$ grows up "
-        "to $1.8197$ at $\\varphi=2.029$: without a spring $\\eta$ falls towards "
-        "$\\tfrac\\pi2/1.8197=0.863$. With a spring it falls to nothing, since some walls are "
-        "stable whatever the delay:"
+        r"This is the stable one at $\varphi=\tfrac\pi2$, but $\varphi\sin\varphi$ grows up to "
+        r"$1.8197$ at $\varphi=2.029$: without a spring $\eta$ falls towards "
+        r"$\tfrac\pi2/1.8197=0.863$. With a spring it falls to 0, since some walls are stable for "
+        "every delay:"
     )
     page.lemma(
-        "For $\\gamma=0.001$, $\\delta=0.02$ the wall $\\alpha=0.00059$, $\\beta=0$ is stable for "
-        "every whole delay",
+        r"For $\gamma=0.001$, $\delta=0.02$ the wall $\alpha=0.00059$, $\beta=0$ is stable for "
+        "every integer delay",
         stable_behind_every_delay(),
         because="all around the circle the device's part of the polynomial is larger than the "
         "wall's, $|A|>\\alpha|N|$, so that as many roots lie inside as without the wall: all",
@@ -124,10 +126,10 @@ def derive(page):
     page.settle(
         "fig12",
         drawn(),
-        note="settled for whole delays: (a) at five delays, those of Fig. 11; (b) and (c) from one "
-        "delay of a list to the next, up to 122 and 40, and at 1000. The ratio comes near 1, stays "
-        "below it and falls again. One $\\delta$ stands for passivity and stability: for a held "
-        "device $\\eta\\le b_D/(b_D+b_H)$ (\\texttt{one-delta})",
+        note="settled for integer delays: (a) at five delays, those of Fig. 11; (b) and (c) from "
+        "one delay of a list to the next, up to 122 and 40, and at 1000. The ratio comes "
+        r"near 1, stays below it and falls again. One $\delta$ stands for passivity and "
+        r"stability: for a device with an arm $\eta\le b_D/(b_D+b_H)$ (\texttt{one-delta})",
     )
 
 

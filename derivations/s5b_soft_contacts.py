@@ -1,4 +1,4 @@
-r"""May the stiffness of a stable wall always be lowered?
+"""Can the stiffness of a stable wall always be reduced?
 
 For a soft contact the paper lowers the virtual stiffness down to zero and expects no loss of
 stability. We keep the virtual damping and ask for which walls this is so.
@@ -37,10 +37,9 @@ def derive(page):
     page.same("softer", softer, margin.subs(K, y * K))
     page.same("ends", without, margin.subs(K, 0))
     page.say(
-        "So with $0\\le y\\le1$ the softer wall is passive too, and by "
-        "\\chapter{s5a_passive_is_stable} stable, for $\\delta>0$ and whole delays as long as "
-        "$\\alpha+\\gamma>0$. (Without any stiffness, $\\alpha=\\gamma=0$, a root lies at 1: "
-        "nothing holds the mass.)"
+        r"So with $0\le y\le1$ the wall of stiffness $y\alpha$ is passive too, and by "
+        r"\chapter{s5a_passive_is_stable} stable, for $\delta>0$ and integer delays as long as "
+        r"$\alpha+\gamma>0$. (Without any stiffness, $\alpha=\gamma=0$, a root lies at 1.)"
     )
     page.lemma(
         "With less stiffness the margin stays at every angle",
@@ -48,9 +47,9 @@ def derive(page):
         because="at $\\theta\\to0$ and $\\theta=\\pi/(d+1)$ it says that $|\\beta|\\le\\delta$",
     )
     page.say(
-        "For other walls it is false. The virtual damping alone may be too much for the delay, "
-        "and the stiffness was what kept it stable. Inside (23) that takes long delays: "
-        "$\\gamma=0.001$, $\\delta=0.02$, $\\beta=0.0252$ and $d=150$."
+        "For other walls it is false: the virtual damping alone may be unstable with the delay. "
+        r"Inside (23) this occurs for long delays: $\gamma=0.001$, $\delta=0.02$, $\beta=0.0252$ "
+        "and $d=150$."
     )
     arm = {gamma: Rational(1, 1000), delta: Rational(1, 50), beta: Rational("0.0252"), d: S(150)}
     soft = {**arm, alpha: Rational(1, 5000), y: S.Zero}
@@ -59,7 +58,7 @@ def derive(page):
     page.say("With stiff springs, as in Fig. 13, two periods are enough:")
     spring = {gamma: S(3), delta: Rational(1, 50), beta: Rational("0.47"), d: S(2)}
     spring |= {alpha: Rational(3, 10), y: S.Zero}
-    page.lemma("Beside the spring the wall with $\\alpha=0.3$ is stable", stands(spring))
+    page.lemma(r"With this spring the wall with $\alpha=0.3$ is stable", stands(spring))
     page.lemma("Without the stiffness $\\alpha=0.3$ it is not stable", falls(spring))
     held, below = proposition(y * alpha + gamma > 0), passive()
     stable = conjunct(passive_is_stable(), STABLE)
@@ -77,9 +76,9 @@ def derive(page):
             held: (drifting, *(stands(drifting), falls(drifting), met(drifting, [S.Half]))),
         },
         shows=r"$\beta=0.0252$ and 150 periods of delay: stable with $\alpha=0.0002$, not with 0",
-        note=r"a passive wall that does not pull has $\delta>0$; for whole delays; without delay "
-        "it need not be passive; inside (23) no such wall was found for delays up "
-        "to 75 periods",
+        note=r"a passive wall that does not pull has $\delta>0$; for integer delays; without delay "
+        "it need not be passive; inside (23) no such wall was found for delays up to 75 "
+        "periods",
     )
 
 

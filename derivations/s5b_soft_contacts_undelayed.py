@@ -1,7 +1,7 @@
-r"""Can the stiffness of a stable wall be turned down without delay?
+r"""Can the stiffness of a stable wall always be reduced without delay?
 
-With delay a stable wall can become unstable when its stiffness falls while its damping is kept, as
-\chapter{s5b_soft_contacts} shows. We ask for which arms that cannot happen without delay.
+With a delay a stable wall can become unstable when its stiffness is reduced at constant damping,
+see \chapter{s5b_soft_contacts}. We ask for which arms this cannot happen without delay.
 """
 
 from symhaptic.book.lemmas.arm_numbers import pushed
@@ -23,9 +23,9 @@ IN_WIDE = r"0\le\gamma\le0.01,\ 0\le\delta\le0.1"
 
 def derive(page):
     page.say(
-        "Without delay Jury's inequalities say it. Again $1-a+e=\\gamma(n_1+n_0)$ and "
-        "$(n_1+n_0)s_1=1-e+\\gamma n_0$; a stable wall has $1+n_1\\beta>0$ by "
-        "\\chapter{s4d_jury_explicit}, and $|n_0\\beta|<1$ as the product of its roots:"
+        r"Without delay Jury's inequalities decide. Again $1-a+e=\gamma(n_1+n_0)$ and "
+        r"$(n_1+n_0)s_1=1-e+\gamma n_0$; a stable wall has $1+n_1\beta>0$ by "
+        r"\chapter{s4d_jury_explicit}, and $|n_0\beta|<1$ as the product of its roots:"
     )
     arm = {a: 1 + e - gamma * RISE}
     loss = {e: 1 - RISE * s_1 + gamma * n_0}
@@ -43,7 +43,7 @@ def derive(page):
         because="positive for $\\alpha>-\\gamma$ if $\\beta>-s_1$",
     )
     page.step(
-        "The third one falls with the stiffness",
+        "The third inequality decreases with the stiffness",
         diff(third, alpha),
         -(n_1 - n_0),
         name=r"\partial c_3/\partial\alpha",
@@ -55,28 +55,27 @@ def derive(page):
         name=r"\Delta_2",
         because="falls with $\\alpha$; and positive, it needs $\\beta>-s_1$",
     )
-    page.lemma(
-        "A device that swings by less than half a turn in a period has $n_0\\le n_1$", pushed()[2]
-    )
+    page.lemma(r"A device with $\omega_dT<\pi$ has $n_0\le n_1$", pushed()[2])
     page.say(
-        "So all four stay positive while $\\alpha$ falls, down to $-\\gamma$. One period of delay "
-        "is enough to make it false for a stiff spring: $\\gamma=5$, $\\delta=\\frac12$, "
-        "$\\beta=-2.5$."
+        r"So all four stay positive while $\alpha$ falls, down to $-\gamma$. With one period of "
+        r"delay it is false for a stiff spring: $\gamma=5$, $\delta=\frac12$, $\beta=-2.5$."
     )
     stiff = {beta: -Rational(5, 2), gamma: S(5), delta: S.Half, d: S.One}
     page.lemma(
-        "Beside a stiff spring the wall with $\\alpha=4$, $\\beta=-2.5$ is stable one period late",
+        r"With a stiff spring the wall with $\alpha=4$, $\beta=-2.5$ is stable with one period of "
+        "delay",
         stable_at({**stiff, alpha: S(4)}),
     )
     page.lemma(
-        "Beside this spring the wall with $\\alpha=0$, $\\beta=-2.5$ is not stable one period late",
+        r"With this spring the wall with $\alpha=0$, $\beta=-2.5$ is not stable with one period "
+        "of delay",
         unstable_at({**stiff, alpha: S.Zero}),
     )
     stated = claim()
     symbols, given, _ = taken_apart(stated)
     theorem = for_all(symbols, given, turned_down())
     page.lemma(
-        "Without delay a stable wall may be turned down to any stiffness above $-\\gamma$",
+        r"Without delay a stable wall stays stable at any smaller stiffness above $-\gamma$",
         theorem,
         because="by the four inequalities, on all of this range",
         boxed=True,
@@ -100,7 +99,6 @@ FARTHEST = Rational(5, 2)
 """No stable wall has a larger virtual damping, of either sign, as 1 < 2.5 n_0."""
 
 TOTAL = n_1 + n_0
-DAMPING = (1 - e + gamma * n_0) / TOTAL
 """s_1, the damping of the arm near z = 1."""
 
 

@@ -1,4 +1,4 @@
-r"""How stiff can the wall be without delay, and how does that compare with passivity?
+"""How large is the stable stiffness without delay, compared with the passive one?
 
 Without delay the loop is a cubic, with an arm's spring too. Its largest stable stiffness has a
 closed form, and the paper's first ratio, 17.8 for $d=0$, is decided on the whole range (23).
@@ -41,9 +41,9 @@ def largest(page, minor, arm):
     device = plant.Sampled(n_1, n_0, arm[a], e)
     top = boundary.largest_undelayed(device)
     root = sqrt(n_0 * (n_0 + e * n_1 - gamma * n_0 * n_1))
-    page.define("The stiffness below is given by a root of the arm's numbers", w, root)
+    page.define("A square root of the device's coefficients", w, root)
     page.step(
-        "The minor is a margin less a square",
+        "The minor is a positive multiple of the margin minus a square",
         minor.subs(arm),
         n_0 * (1 + n_1 * beta) * (LARGEST - alpha)
         - RISE * (n_0 * (1 + n_1 * beta) - w) ** 2 / (n_0 * n_1**2),
@@ -96,8 +96,9 @@ def ratio(page):
     page.enclosed(
         "The ratio is 17.8 and a little more",
         list(zip(names, ratios, strict=True)),
-        because="by the closed form. 17.8 is cut from the first two, 0.0562 is the inverse of the "
-        "first, rounded up; just beyond the range 17.8 is too much",
+        because="by the closed form. 17.8 is the first two truncated, and 0.0562 the inverse of "
+        "the "
+        "first, rounded up; just beyond the range 17.8 is too large",
     )
     page.settle(
         "s5b-eta-d0",
@@ -106,6 +107,6 @@ def ratio(page):
         enclosed=True,
         value=(ratios[0], over(S.One, ratios[0])),
         note=r"both hold on all of (23); the numbers are those of its corner $\gamma=0.001$, "
-        r"$\delta=0.02$. They belong to one $\delta$ for passivity and stability; for a held "
-        r"device see \texttt{one-delta}",
+        r"$\delta=0.02$. They belong to one $\delta$ for passivity and stability; for a "
+        r"device with an arm see \texttt{one-delta}",
     )

@@ -1,8 +1,8 @@
-r"""Where on the boundary is the stiffest wall?
+"""Which wall of the boundary bounds the stable stiffness?
 
-The explicit boundary turns back after its first tip and is stiffer again at higher angles. At its
-tip the zeros of the loop show that no stable wall, wherever it lies, is stiffer. The same argument
-makes every tangent of the upper boundary a bound of the stable walls.
+The explicit boundary has a first maximum of the stiffness, but is stiffer again at larger angles.
+We show with the zeros of the loop that no stable wall is stiffer than the first maximum. By the
+same argument every tangent of the upper boundary bounds the stable walls.
 """
 
 from symhaptic.book.lemmas.outpaced import ROOM, room
@@ -34,29 +34,29 @@ def derive(page):
     way, rest = x * turn + y * (turn - 1), u * turn + v * (turn - 1)
     mirrored = {I: -I}
     page.step(
-        "Of the linear part the tangent of the boundary is left",
+        "The linear part is the tangent of the boundary",
         I * way * rest.xreplace(mirrored) - I * way.xreplace(mirrored) * rest,
         -2 * sin(theta) * (u * y - v * x),
         name=r"2\Re\bigl(j(xz+y(z-1))\,\overline{(uz+v(z-1))}\bigr)",
         because="times $|N|^2$; the rest is the quadratic form $2\\Re(\\bar qzq')-(d+3)|q|^2$",
     )
     page.say(
-        "The form is negative definite where $\\bigl(d+1-(n_1^2-n_0^2)/|N|^2\\bigr)\\sin\\theta>1$,"
-        " for a whole $d$ from about $(d+1)\\theta=1$ on. There $uy-vx<0$ is left for every stable "
+        r"The form is negative definite where $\bigl(d+1-(n_1^2-n_0^2)/|N|^2\bigr)\sin\theta>1$, "
+        r"for an integer $d$ from about $(d+1)\theta=1$ on. There $uy-vx<0$ for every stable "
         "wall: the stable walls lie on one side of the tangent."
     )
     for id, says, claim, found in (
         (
             "boundary-tangents",
-            "behind a whole delay all stable walls lie on one side of each tangent of the "
-            "boundary at an angle with $\\bigl(d+1-(n_1^2-n_0^2)/|N|^2\\bigr)\\sin\\theta>1$",
+            "with an integer delay all stable walls lie on one side of each tangent of the "
+            r"boundary at an angle with $\bigl(d+1-(n_1^2-n_0^2)/|N|^2\bigr)\sin\theta>1$",
             tangents(),
             all_tangents(),
         ),
         (
             "stiffest-wall",
-            "behind a whole delay no stable wall is as stiff as the boundary at such an angle at "
-            "which $d\\alpha/d\\theta=0$ and $d\\beta/d\\theta>0$",
+            "with an integer delay no stable wall is as stiff as the boundary at such an angle "
+            r"at which $d\alpha/d\theta=0$ and $d\beta/d\theta>0$",
             tips(),
             all_tips(),
         ),
@@ -64,22 +64,22 @@ def derive(page):
         page.state(id, says, claim=claim)
         page.settle(id, found, example=({d: S.One}, fact(whole(S.One))))
     page.say(
-        "The theorem holds for every device, with or without spring and damper. It says that the "
-        "stable walls end at the tip at the latest. That walls just below the tip are stable is "
-        "not shown in general. It is shown in numbers where a chapter needs it, by balls around "
-        "the zeros of one wall (\\chapter{s5b_stiffest_wall_numbers}), and without delay in closed "
-        "form (\\chapter{s5b_stiffest_undelayed})."
+        "The theorem holds for every device, with or without spring and damper. It bounds the "
+        "stable stiffness by that of the tip. It does not show that walls just below the tip are "
+        "stable. It is shown in numbers where a chapter needs it, by balls around the zeros of "
+        r"one wall (\chapter{s5b_stiffest_wall_numbers}), and without delay in closed form "
+        r"(\chapter{s5b_stiffest_undelayed})."
     )
 
 
 def boundary_in_angles(page):
     """The boundary by the angle of the device with its delay."""
     page.say(
-        "Let $A=z^2-az+e$, $N=n_1z+n_0$ and $W=(\\alpha+\\beta)z-\\beta$. Turned back by half a "
-        "period, the wall has the real part $\\alpha\\cos\\frac\\theta2$ on the circle:"
+        r"Let $A=z^2-az+e$, $N=n_1z+n_0$ and $W=(\alpha+\beta)z-\beta$. Multiplied by $z^{-1/2}$, "
+        r"the wall has the real part $\alpha\cos\frac\theta2$ on the circle:"
     )
     page.step(
-        "Half a period earlier the wall has its stiffness in the real part",
+        "The real part of $z^{-1/2}W$ contains the stiffness only",
         on_circle(WALL) * exp(-I * theta / 2),
         alpha * cos(theta / 2) + I * (alpha + 2 * beta) * sin(theta / 2),
         name=r"z^{-1/2}W",
@@ -91,7 +91,7 @@ def boundary_in_angles(page):
     force = on_circle(PLANT / FORCE) * exp(I * (d + Rational(1, 2)) * theta)
     turned, mirrored = (Function(name)(theta) for name in ("f", r"\overline{f}"))
     over, beside = symbols("C S")
-    page.define("The plant with its delay, turned by half a period", turned, force)
+    page.define("The plant with its delay, times $z^{1/2}$", turned, force)
     page.define("Its mirror image in the real axis", mirrored, force.xreplace({I: -I}))
     page.step(
         "The stiffness on the boundary is a real part",
@@ -101,8 +101,8 @@ def boundary_in_angles(page):
         because="so that it is $-R\\cos\\chi$ with $R=|A|/(|N|\\cos\\frac\\theta2)$: positive only "
         "for $\\tfrac\\pi2<\\chi<\\tfrac{3\\pi}2$, as far as $\\chi<\\tfrac{5\\pi}2$",
     )
-    page.define("The angle enters by the tangent of its half", tau, tan(theta / 2))
-    page.define("and by the angle that the delay and a period turn", phi, (d + 1) * theta)
+    page.define(r"The parameter is $\tau=\tan(\theta/2)$", tau, tan(theta / 2))
+    page.define("and the angle of the delay plus one period", phi, (d + 1) * theta)
     cosine = (n_1 + n_0) * cos(phi) + (n_1 - n_0) * tau * sin(phi)
     page.define("A cosine of the numerator and of this angle", over, cosine)
     sine = (n_1 + n_0) * sin(phi) - (n_1 - n_0) * tau * cos(phi)

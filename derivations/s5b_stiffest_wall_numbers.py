@@ -1,8 +1,9 @@
 r"""How much stiffer than a passive wall can a stable one be?
 
-The paper says far higher, clearly larger and much smaller. It gives the ratio of the largest stable
-to the largest passive stiffness for two delays and draws its inverse $\eta$ in Fig. 12. Each ratio
-is enclosed here between a stable wall next to the tip and a bound of all stable walls.
+The paper uses the words far higher, clearly larger and much smaller. It gives the ratio of the
+largest stable to the largest passive stiffness for two delays and draws its inverse $\eta$ in Fig.
+12. Each ratio is enclosed here between a stable wall next to the tip and a bound of all stable
+walls.
 """
 
 from symhaptic.book.lemmas.far_higher import at_least, by_how_much, dimensions
@@ -13,7 +14,7 @@ from symhaptic.book.lemmas.stiffness_claims import LATE, of_ratio
 from symhaptic.paper.propositions.far_higher import RATIOS, SIZES
 
 HELD = (
-    r"one $\delta$ for passivity and stability; for a held device the ratio is larger by "
+    r"one $\delta$ for passivity and stability; for a device with an arm the ratio is larger by "
     r"$1+b_H/b_D$ (\texttt{one-delta})"
 )
 
@@ -22,13 +23,13 @@ def derive(page):
     page.say("The stiffness of the wall (11) is $\\alpha=2\\delta\\tan\\frac\\pi{4(d+1)}$:")
     whole = passivity.dirichlet_form().subs({K: alpha, T: S.One}).subs(theta, pi / (2 * (d + 1)))
     page.step(
-        "The wall (11) needs all of the damping",
+        "The wall (11) requires exactly the damping $b$",
         whole.subs(alpha, 2 * delta * tan(pi / (4 * (d + 1)))),
         delta,
         name=r"\text{need of the wall (11)}",
     )
     page.lemma(
-        "Behind every whole delay some stable wall is at least as stiff as all passive walls",
+        "With every integer delay some stable wall is at least as stiff as all passive walls",
         at_least(),
         because="the wall (11) is passive, and so stable with every spring",
     )
@@ -57,11 +58,11 @@ def derive(page):
             rf"$\gamma=0.001$, $\delta=0.02$; {HELD}",
         )
     page.say(
-        "In damping the passive walls end at $|\\beta|=\\delta$. Stable walls go further, for the "
-        "arm of Fig. 11:"
+        r"Passive walls have $|\beta|\le\delta$. Stable walls can have more damping, for the arm "
+        "of Fig. 11:"
     )
     page.table(
-        "Some stable wall is more than so many times as damped as all passive walls.",
+        "Ratio of the damping of some stable wall to the largest passive damping, a lower bound.",
         [f"$d={n}$" for n in SIZES],
         [list(SIZES.values())],
     )
@@ -69,7 +70,7 @@ def derive(page):
         "s5a-much-smaller",
         dimensions(),
         enclosed=True,
-        note=r"settled for the whole delays of Fig. 11: at $d=8$ a stable wall can be 2.46 times "
+        note=r"settled for the integer delays of Fig. 11: at $d=8$ a stable wall can be 2.46 times "
         rf"as stiff and 9 times as damped; {HELD}",
     )
     page.settle(
@@ -78,14 +79,14 @@ def derive(page):
         example={gamma: S.Zero, delta: DAMPED},
         enclosed=True,
         note=r"both hold on all of (23). At its corner $\gamma=0.001$, $\delta=0.02$ the ratio is "
-        rf"$9.314686\ldots$, of which 9.3 is cut off, and 0.1074 is its inverse rounded up; {HELD}",
+        rf"$9.314686\ldots$, truncated to 9.3, and 0.1074 is its inverse rounded up; {HELD}",
     )
     page.say(
-        "With a spring some walls are stable whatever the delay. For the arm of Fig. 12 this is "
-        "the wall $\\alpha=0.00059$, $\\beta=0$:"
+        "With a spring some walls are stable for every delay. For the arm of Fig. 12 this is the "
+        r"wall $\alpha=0.00059$, $\beta=0$:"
     )
     page.lemma(
-        "The wall $\\alpha=0.00059$, $\\beta=0$ is stable behind every whole delay",
+        r"The wall $\alpha=0.00059$, $\beta=0$ is stable with every integer delay",
         stable_behind_every_delay(),
-        because="the device outweighs it at every angle: $|A|>\\alpha|N|$",
+        because=r"the device dominates at every angle: $|A|>\alpha|N|$",
     )

@@ -1,8 +1,8 @@
 r"""Is the difference between passive and stable walls larger for smaller damping?
 
-The passive region shrinks in proportion to $\delta$, the stable one hardly, says the paper. In
-terms of the largest stiffness that asks whether the ratio $\eta$ of the passive to the stable one
-grows with $\delta$.
+The paper says that the passive region shrinks in proportion to $\delta$, and the stable one hardly.
+In terms of the largest stiffness the question is whether the ratio $\eta$ of the passive to the
+stable one grows with $\delta$.
 """
 
 from symhaptic.book.lemmas.near_tip import none_above
@@ -27,12 +27,12 @@ def derive(page):
         "and $d=1$. They are close enough for dampings that are 2\\,\\% apart:"
     )
     page.lemma(
-        "For $d=0$ and $d=1$ a damping that is 2\\,\\% larger has the larger $\\eta$",
+        r"For $d=0$ and $d=1$ a damping that is 2\,\% larger has a larger $\eta$",
         further(),
         because="with $\\varrho$ between the two ratios",
     )
     page.say(
-        "For the other whole delays of Fig. 11 the dampings "
+        "For the other integer delays of Fig. 11 the dampings "
         + ", ".join(f"${float(v):g}$" for v in DAMPERS)
         + " are compared, each with the next, by walls next to the tips:"
     )
@@ -43,7 +43,7 @@ def derive(page):
         claim=steps(),
     )
     page.settle("weaker-damping", step_by_step())
-    page.say("For long delays it is the other way around. At $d=200$ without a spring:")
+    page.say("For long delays the opposite is true. At $d=200$ without a spring:")
     page.lemma(
         "At $d=200$, $\\delta=0.01$ the stable walls have $\\alpha<0.00007843$",
         none_above((FAR[gamma], FAR[delta]), 200)[1],
@@ -60,6 +60,6 @@ def derive(page):
         unless={SHORT: (FAR, nearer(then.at(FAR)), not_short())},
         shows=r"at $d=200$ the two stiffnesses differ by 0.4\% for $\delta=0.01$ and by 1.4\% for "
         r"$0.02$",
-        note=r"in terms of the stiffness, and of whole delays; for $d\in\{2,4,8\}$ four dampings "
+        note=r"in terms of the stiffness, and of integer delays; for $d\in\{2,4,8\}$ four dampings "
         r"are compared (\texttt{weaker-damping}), nearer ones are not settled",
     )

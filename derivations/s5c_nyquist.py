@@ -1,7 +1,7 @@
-r"""How stiff may the physical spring be before sampling misses its oscillation?
+"""Up to which stiffness is the natural frequency of the device below the Nyquist frequency?
 
-A device on a spring oscillates. Sampling can follow that up to the Nyquist frequency; we ask for
-which stiffness it is reached.
+A device with a spring oscillates. Sampling can represent this up to the Nyquist frequency; we ask
+for which stiffness it is reached.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -13,7 +13,7 @@ def derive(page):
     rate = sqrt(k / m - b**2 / (4 * m**2))
     one, two = damped.poles(2 * I * rate)
     page.step(
-        "A swinging device has a pole at $-\\frac b{2m}+j\\omega$",
+        r"An underdamped device has a pole at $-\frac b{2m}+j\omega$",
         damped.characteristic.subs("s", one),
         S.Zero,
         name=r"ms^2+bs+k\,\big|_{s=-\frac{b}{2m}+j\omega}",
@@ -21,7 +21,7 @@ def derive(page):
         paper="28",
     )
     page.lemma(
-        "A damped mass on a spring swings with one frequency only",
+        "A damped mass on a spring oscillates with one frequency only",
         swings(),
         because="$e^{\\sigma t}\\sin\\omega t$ obeys Newton's law where its sine and its cosine "
         "part vanish",
@@ -43,7 +43,7 @@ def derive(page):
         "$\\omega T\\le\\pi$ is the same as their squares:"
     )
     page.lemma(
-        "A device swings below the Nyquist frequency for the springs of (30)",
+        "The damped frequency is at most the Nyquist frequency if and only if (30) holds",
         up_to_nyquist(),
         boxed=True,
     )

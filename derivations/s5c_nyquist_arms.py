@@ -1,6 +1,6 @@
-r"""Is the limit of the spring ten thousand times the stiffness of an arm?
+"""Is the limit of the spring ten thousand times the stiffness of an arm?
 
-Against the arms of Table II the limit is a large factor, but which one?
+We compare the limit with the arms of Table II.
 """
 
 from symhaptic.book.lemmas.arm_ranges import SHARE, above, damped, divisors, scale, weak
@@ -62,9 +62,9 @@ def arms(page):
 def human(page):
     """Against arms, as stiffnesses."""
     page.say(
-        "These are stiffnesses per moving mass. As stiffnesses they compare only if the mass is "
-        "that of the arm: Hogan's arm, 0.8 kg and 568 N/m, would need $k=\\pi^2m/T^2$, and the "
-        "device of Example 5.1 alone, 0.1 kg, much less:"
+        "These are stiffnesses per mass. To compare stiffnesses, the mass must be that of the "
+        r"arm. For Hogan's arm, 0.8 kg and 568 N/m, the limit is $k=\pi^2m/T^2$; for the device "
+        "of Example 5.1 alone, 0.1 kg, it is much smaller:"
     )
     for title, mass in (
         ("For Hogan's arm the spring is 13\\,900 times as stiff", HOGAN[m]),

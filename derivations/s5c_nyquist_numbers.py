@@ -1,7 +1,7 @@
 r"""Which spring reaches the Nyquist frequency, and does the damper matter?
 
-The Nyquist frequency is reached at $\gamma=\pi^2+\delta^2/4$. In units of a device that is Example
-5.1 of the paper.
+The Nyquist frequency is reached at $\gamma=\pi^2+\delta^2/4$. In SI units this is Example 5.1 of
+the paper.
 """
 
 from symhaptic.book.lemmas.arm_ranges import FIFTIETH, SHARE, above, damped, divisors, scale, weak
@@ -20,7 +20,7 @@ def derive(page):
         (((one - two) / (2 * I)) ** 2).subs(k, spring),
         (pi / T) ** 2,
         name=r"\omega^2\big|_{k=\pi^2m/T^2+b^2/(4m)}",
-        because="by (28), for a device that swings",
+        because="by (28), for an underdamped device",
         paper="31",
     )
     example_(page, spring)
@@ -62,9 +62,9 @@ def example_(page, spring):
 
 def marginal(page, spring):
     """The share of the damping, and that it does not change the printed number."""
-    page.define("Table I has this number for the damper", delta, b * T / m)
+    page.define("The damping in the parameters of Table I", delta, b * T / m)
     page.step(
-        "The damping has a share that only $\\delta$ decides",
+        r"The contribution of the damping depends only on $\delta$",
         b**2 / (4 * m) / (pi**2 * m / T**2),
         delta**2 / (4 * pi**2),
         because="of the stiffness without damping, for every device",

@@ -1,7 +1,7 @@
-r"""What happens to the loop when the spring swings with the Nyquist frequency?
+"""When is the loop stable if the device oscillates at the Nyquist frequency?
 
-The device returns to its mirror image after each period, a little smaller if it is damped. We ask
-what this leaves to the wall.
+The state of the device changes its sign after each period, and decays if it is damped. We ask which
+walls are stable then.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -24,15 +24,15 @@ from symhaptic.proof.theorems.roots import pole_at
 
 def derive(page):
     page.say(
-        "Without damping the sampled device degenerates there: it returns to its mirror image "
-        "after each period. Its numerator shares the double pole at $-1$ once."
+        "Without damping the state changes its sign after each period. The numerator cancels one "
+        "of the two poles at $-1$."
     )
     page.step(
         "At $\\gamma=\\pi^2$, $\\delta=0$ the polynomial has the factor $z+1$",
         loop.characteristic(Parts(damping=False)).subs(gamma, pi**2),
         (z + 1) * ((z + 1) * z ** (d + 1) + 2 * ((alpha + beta) * z - beta) / pi**2),
         name="p_1(z)",
-        because="the root at $-1$ is there for every wall and every delay",
+        because="the root at $-1$ exists for every wall and every delay",
     )
     pole = page.lemma(
         "Without damping a pole lies at $-1$, and no wall moves it",
@@ -41,7 +41,7 @@ def derive(page):
         "$w$, and $w^q=-1$",
     )
     page.lemma(
-        "For whole delays $-1$ is a zero of the device that the sampled motion does not show",
+        "For integer delays one pole at $-1$ is not observable in the samples",
         split(),
         because="the polynomial is $z+1$ times another one, which is zero at $-1$ only for "
         "$\\alpha+2\\beta=0$",
@@ -51,7 +51,9 @@ def derive(page):
         "Without delay the other factor is of second order:"
     )
     page.lemma(
-        "For $d=0$ the other zeros lie inside just for a triangle of walls", triangle(), boxed=True
+        "For $d=0$ the other zeros lie inside exactly for a triangle of walls",
+        triangle(),
+        boxed=True,
     )
     once = {alpha: S.One, beta: S.Zero, delta: S.One, l: S.One, q: S.One}
     held = held_by_a_pole(pole, number(Relation(S.One, "<=", S.One)))
@@ -59,7 +61,7 @@ def derive(page):
     page.settle(
         "s5c-undamped-limit",
         conj(kept, split(), triangle()),
-        note="the pole for every delay of $\\ell/q$ periods, the factor for whole delays, the "
+        note=r"the pole for every delay of $\ell/q$ periods, the factor for integer delays, the "
         "region for $d=0$; for other delays no region is shown",
     )
     damped = page.lemma(
@@ -71,7 +73,7 @@ def derive(page):
         "s5c-pole-inside",
         conj(damped, *inside()),
         example=(once, fact(whole(S.One))),
-        note=r"at the Nyquist frequency it is $-e^{-\delta/2}$, whatever wall and delay",
+        note=r"at the Nyquist frequency it is $-e^{-\delta/2}$, for every wall and delay",
     )
 
 

@@ -1,8 +1,8 @@
-r"""Which walls are stable with a spring at the Nyquist frequency?
+"""Which walls are stable with a spring at the Nyquist frequency?
 
-There the device comes back to its mirror image, a little smaller, after every period. The loop
-loses a root to this motion, and without delay only a quadratic is left: the parabola of the soft
-springs has become a triangle.
+There the state of the device changes its sign after every period, and decays. The loop has a fixed
+root for this motion, and without delay a quadratic remains, for which the stable region is a
+triangle.
 """
 
 from sympy import I, S, exp, eye, pi, symbols, tanh
@@ -20,7 +20,7 @@ SHARE = symbols("nu")
 def derive(page):
     motion = plant.normalised(FULL).transition(S.One, 2 * I * pi)
     page.step(
-        "After one period every state is its mirror image, damped",
+        r"After one period every state is multiplied by $-e^{-\delta/2}$",
         motion.subs(AT),
         -LEFT * eye(2),
         name=r"\Phi(1)",
@@ -49,14 +49,14 @@ def derive(page):
     )
     one, two, three = jury.criterion(quadratic).expressions
     page.step(
-        "The rest is positive at 1 for $\\alpha>-\\gamma$",
+        r"The quadratic is positive at 1 for $\alpha>-\gamma$",
         one,
         1 + f + SHARE * alpha,
         name="q(1)",
         because="$\\alpha>-\\gamma$",
     )
     page.step(
-        "The rest at $-1$ bounds $\\alpha+2\\beta$",
+        r"The quadratic at $-1$ bounds $\alpha+2\beta$",
         two,
         1 - f - SHARE * (alpha + 2 * beta),
         name="q(-1)",
@@ -83,7 +83,7 @@ def derive(page):
     page.lemma(
         "At the Nyquist frequency and without delay the stable walls fill a triangle",
         is_triangle(),
-        because="of Jury's inequalities for the cubic polynomial each is made of the three",
+        because="each of Jury's inequalities for the cubic follows from these three",
         boxed=True,
     )
     page.settle(

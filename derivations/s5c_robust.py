@@ -1,8 +1,8 @@
 r"""Without damping, is any wall stable with every spring?
 
 A wall is robustly stable if it is stable with every spring up to the Nyquist frequency. The paper
-sees the region of these walls shrink to the origin as $\delta\to0$. We show that none is left, for
-every delay, and that one spring excludes all walls that do not pull.
+observes that the region of these walls shrinks to the origin as $\delta\to0$. We show that it is
+empty for $\delta=0$ and every delay, and that one spring excludes all walls with $\alpha\ge0$.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -14,11 +14,11 @@ def derive(page):
     undamped, swing, apart = Parts(damping=False), {gamma: Omega**2}, 2 * I * Omega
     device = plant.sampled(plant.normalised(undamped), split=apart)
     page.say(
-        "Without damping the device swings for ever, by $\\Omega=\\sqrt\\gamma$ per period, and "
-        "$n_1=n_0=(1-\\cos\\Omega)/\\Omega^2$:"
+        r"Without damping the device oscillates by the angle $\Omega=\sqrt\gamma$ per period, and "
+        r"$n_1=n_0=(1-\cos\Omega)/\Omega^2$:"
     )
     page.step(
-        "The device without damping swings for ever",
+        "The device without damping has poles on the unit circle",
         device.denominator.subs(swing),
         z**2 - 2 * z * cos(Omega) + 1,
         name="A",
@@ -38,9 +38,10 @@ def derive(page):
         whole.subs(n_0, (1 - cos(Omega)) / Omega**2),
     )
     page.say(
-        "Each zero $a$ of a polynomial $p$ adds $z/(z-a)$ to $zp'/p$, and more than "
-        "$\\tfrac12$ to its real part if $|a|<1=|z|$. So if all $d+3$ zeros of $p_1$ lie inside, "
-        "$2\\Re(zp_1'\\bar p_1)>(d+3)|p_1|^2$ on the circle. Look where only the wall is left:"
+        r"Each zero $a$ of a polynomial $p$ adds $z/(z-a)$ to $zp'/p$, and more than $\tfrac12$ "
+        "to its real part if $|a|<1=|z|$. So if all $d+3$ zeros of $p_1$ lie inside, "
+        r"$2\Re(zp_1'\bar p_1)>(d+3)|p_1|^2$ on the circle. Consider the angle at which the plant "
+        "vanishes:"
     )
     value, speed = (on_circle(e, Omega) for e in (whole, z * diff(whole, z)))
     back, slowed = (e.xreplace({I: -I}) for e in (value, speed))
@@ -48,7 +49,7 @@ def derive(page):
     total, late = alpha + beta, d + 1
     square = late * (total**2 + beta**2 - 2 * cos(Omega) * total * beta) - total**2 + beta**2
     page.step(
-        "At the device's own angle $\\theta=\\Omega$ two terms are left",
+        r"At the angle $\theta=\Omega$ of the device two terms remain",
         speed * back + slowed * value - (d + 3) * value * back,
         -4 * n_0 * sin(Omega) * (along * sin(late * Omega) - across * cos(late * Omega))
         - 2 * n_0**2 * (1 + cos(Omega)) * square,
@@ -72,31 +73,31 @@ def derive(page):
         because="with $d=p/(q+1)$, $M=q+1$ and $N=p+q+1$, and $\\Omega=M\\psi$",
     )
     page.lemma(
-        "Read in $w$, no wall that does not pull is stable beside this spring",
+        r"With the polynomial in $w$, no wall with $\alpha\ge0$ is stable with this spring",
         outpaced(),
-        because="neither term is positive; the delay is any fraction, with $z=w^{q+1}$ as the "
-        "paper has it",
+        because="neither term is positive; the delay is any rational number, with $z=w^{q+1}$ as "
+        "in "
+        "the paper",
     )
     page.lemma(
-        "No loop of a wall that does not pull is stable beside the spring with "
-        "$(d+1)\\sqrt\\gamma=\\frac\\pi2$",
+        r"No wall with $\alpha\ge0$ is stable with the spring $(d+1)\sqrt\gamma=\frac\pi2$",
         excluded(),
     )
     page.lemma(
-        "A wall that pulls is not stable beside a spring that is softer",
+        r"A wall with $\alpha<0$ is not stable with a spring $\gamma<-\alpha$",
         pulled(),
         because="the polynomial is not positive at 1",
     )
     page.say(
-        "So no wall is left. Of those with $\\alpha\\ge0$ all but the origin have a zero outside "
-        "beside the first spring: the inequality would hold weakly with zeros on the circle, too, "
-        "but the right side is negative. At the origin the device swings alone: it is stable in "
-        "the limit only."
+        r"So no wall is robustly stable. All walls with $\alpha\ge0$ except the origin have a "
+        "zero outside the circle with the first spring: with zeros on the circle the inequality "
+        r"would hold with $\ge$, but the right side is negative. At the origin the device "
+        "oscillates without a wall and is only limit stable."
     )
     symbols, given, then = taken_apart(page.claim("s5c-robust-vanishes"))
     page.settle(
         "s5c-robust-vanishes",
         for_all(symbols, given, vanishes(then.of[0])),
         example={alpha: S.Zero, beta: S.Zero, d: S.Zero},
-        note="for every delay; one spring excludes all walls that do not pull",
+        note=r"for every delay; one spring excludes all walls with $\alpha\ge0$",
     )

@@ -1,8 +1,8 @@
-r"""How stiff can a wall be that every spring leaves stable?
+"""How stiff can a robustly stable wall be?
 
 Sec. V-C relates passivity to robust stability: a robustly stable wall is stable with every spring
-up to the Nyquist frequency. We ask how much stiffer it can be than a passive wall, and what delay
-and damping do to it.
+up to the Nyquist frequency. We ask how much stiffer it can be than a passive wall, and how this
+depends on delay and damping.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -26,13 +26,14 @@ def derive(page):
         "stiffness from below:"
     )
     page.lemma(
-        "The stiffest passive wall is stable with every spring of (30), behind every whole delay",
+        "The passive wall of maximum stiffness is stable with every spring of (30), with every "
+        "integer delay",
         tip_is_robust()[0],
     )
     page.say(
         f"For $\\delta=0.02$ a slightly stiffer wall is tried. Jury's inequalities are polynomials "
         f"in the numbers of the device, and balls enclose these for all springs up to "
-        f"$\\gamma={float(STIFFEST)}$, which is beyond (30). One period late, for instance:"
+        f"$\\gamma={float(STIFFEST)}$, which is beyond (30). With one period of delay for instance:"
     )
     stiffness, damping = WALLS[1]
     page.lemma(
@@ -41,9 +42,9 @@ def derive(page):
         is_robust(1),
     )
     page.say(
-        "From above one spring is enough, for a robustly stable wall is stable with this spring. "
-        "It swings by nearly $\\frac\\pi{2(d+1)}$ per period. Without delay two springs are "
-        "needed: none, and that of the Nyquist frequency."
+        "One spring is sufficient for an upper bound, since a robustly stable wall is stable "
+        r"with this spring, with $\Omega$ close to $\frac\pi{2(d+1)}$. Without delay two springs "
+        r"are necessary: $\gamma=0$ and that of the Nyquist frequency."
     )
     limit, bound = none_stiffer(1, DAMPED)
     page.lemma(
@@ -64,9 +65,9 @@ def derive(page):
         "s6-why-conservative",
         conservative(),
         enclosed=True,
-        note=r"with soft springs a stable wall can be 17.8 times as stiff as a passive one at "
-        r"$d=0$; with all springs of (30) less than 1.118 times, and less than 1.0532 at $d=1$. "
-        r"So stiff springs are nearly all of the difference",
+        note="with soft springs a stable wall can be 17.8 times as stiff as a passive one at "
+        "$d=0$; with all springs of (30) less than 1.118 times, and less than 1.0532 at "
+        "$d=1$. So stiff springs explain nearly all of the difference",
     )
     changes(page)
     left_open(page)
@@ -77,14 +78,15 @@ def changes(page):
     page.settle(
         "s5c-robust-shrinks",
         shrinks(),
-        note=r"in terms of the largest stiffness, for $\delta=0.02$ and the whole delays 0 to 8; "
+        note=r"in terms of the largest stiffness, for $\delta=0.02$ and the integer delays 0 to 8; "
         r"as sets of walls it is undecided (\texttt{s5c-robust-shrinks-sets})",
     )
     dampers = ", ".join(f"{float(v):g}" for v in (Rational(1, 200), Rational(1, 100), DAMPED))
     page.settle(
         "s5c-robust-grows",
         grows(),
-        note=rf"in terms of the largest stiffness, for $\delta$ of {dampers} and the whole delays "
+        note=rf"in terms of the largest stiffness, for $\delta$ of {dampers} and the integer "
+        "delays "
         r"of Fig. 11; as sets of walls it is undecided (\texttt{s5c-robust-grows-sets})",
     )
 
@@ -92,11 +94,11 @@ def changes(page):
 def left_open(page):
     """What no theorem decides."""
     page.say(
-        "Three statements are left open. The outlines of the robustly stable regions were computed "
-        "for $\\delta=0.02$ and the delays 0, 1, 2, 4 and 8, and each lay inside the one before. "
-        "For the delays 0, 1, 2 and 4 the outline for $\\delta=0.01$ lay inside that for 0.02. "
-        "Outlines prove nothing. Nor is it shown that springs beyond the Nyquist frequency do no "
-        "harm to a wall that is robustly stable and not passive."
+        "Three statements are left open. The outlines of the robustly stable regions were "
+        r"computed for $\delta=0.02$ and the delays 0, 1, 2, 4 and 8, and each was contained in "
+        r"the previous one. For the delays 0, 1, 2 and 4 the outline for $\delta=0.01$ was "
+        "contained in that for 0.02. Outlines are no proof. It is also open whether a robustly "
+        "stable wall that is not passive is stable with springs beyond the Nyquist frequency."
     )
     page.leave_open(
         "s5c-robust-shrinks-sets",

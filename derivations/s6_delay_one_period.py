@@ -1,7 +1,6 @@
-r"""How much stiffness does one period of delay leave?
+"""Which share of the stiffness remains with one period of delay?
 
-The conclusion of the paper has less than 22 % for stability, read from two figures. We ask for
-which arms that holds.
+The conclusion of the paper says less than 22 % for stability. We ask for which arms this holds.
 """
 
 from symhaptic.book.lemmas import far_higher

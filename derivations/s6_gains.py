@@ -1,7 +1,7 @@
-r"""What do faster sampling and more mass gain?
+"""What is the benefit of faster sampling and of more mass?
 
-The conclusion of the paper: much faster sampling does not gain much where the delay outweighs it,
-and more mass gains nothing. Here the delay $t_d=dT$ is kept while $T$ shrinks.
+The paper concludes that much faster sampling has little benefit if the delay dominates, and more
+mass has none. Here the delay $t_d=dT$ is constant while $T$ decreases.
 """
 
 from symhaptic.book.lemmas.faster import SLOW, SOON, farthest, gained, much, not_slow, slow
@@ -31,7 +31,7 @@ def passive(page):
     )
     page.say("With $h=1/(d+1)$:")
     page.limit(
-        "With endlessly fast sampling $K_{\\max}t_d/b$ tends to $\\pi/2$",
+        r"For $T\to0$ the passive limit $K_{\max}t_d/b$ tends to $\pi/2$",
         scaled.subs(d, 1 / h - 1),
         h,
         S.Zero,
@@ -51,21 +51,22 @@ def passive(page):
         "faster-sampling",
         gains_little(),
         example=(ones, fact(whole(S.One))),
-        note="for every device, whole delay and whole rate, by (11) and since the tangent over "
-        "its angle rises",
+        note=r"for every device, integer delay and integer ratio of rates, by (11) and since $\tan "
+        "x/x$ increases",
     )
 
 
 def settled(page):
     """At one period of delay, and at ten."""
     page.say(
-        "For stable walls no such bound is shown for all delays. What the paper calls significant "
-        "is read as a quarter. At ten periods of delay each rate up to ten times is asked, by a "
-        "wall next to the tip now and a bound next to the tip then, for a free mass and for the "
-        "arm of Figs. 11 and 12:"
+        "For stable walls no such bound is shown for all delays. We read the paper's word "
+        "significant as a quarter. At ten periods of delay every rate up to ten times is "
+        "checked, by a wall near the tip for the old rate and a bound near the tip for the new "
+        "one, for a free mass and for the arm of Figs. 11 and 12:"
     )
     page.lemma(
-        "A hundred periods late the stable walls of a free mass have $\\alpha<0.000053896$",
+        "With a delay of a hundred periods the stable walls of a free mass have "
+        r"$\alpha<0.000053896$",
         farthest(),
     )
     then = taken_apart(page.claim("s6-faster-sampling"))[2]
@@ -77,9 +78,9 @@ def settled(page):
         unless={SLOW: (SOON, much(then.at(SOON)), not_slow())},
         shows=r"at $d=1$, where the delay is twice the half period of the hold, sampling a hundred "
         r"times as fast gives a free mass more than 3.7 times the stable stiffness",
-        note=r"of whole delays and rates, in the reading that a quarter is significant; the "
-        r"passive stiffness gains at most $1+1/d$, for every device (\texttt{faster-sampling}); "
-        r"other delays are not settled for stable walls",
+        note="for integer delays and ratios of rates, if a quarter is significant; the passive "
+        r"stiffness gains at most $1+1/d$, for every device (\texttt{faster-sampling}); other "
+        "delays are not settled for stable walls",
     )
 
 

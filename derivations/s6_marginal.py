@@ -1,7 +1,7 @@
-r"""Do the damper and the spring of an arm hardly matter?
+"""Do the damper and the spring of an arm hardly matter?
 
-The conclusion of the paper says so of both, inside the range (23). We compare the largest stable
-stiffness with and without them: in numbers for delays up to seven periods, and for long delays.
+The paper concludes this for both, inside the range (23). We compare the largest stable stiffness
+with and without them: numerically for delays up to seven periods, and for long delays.
 """
 
 from symhaptic.book.lemmas.marginal import AT_ONCE, LONG, by_a_factor, changes, none_pushes
@@ -31,16 +31,16 @@ def derive(page):
     in_numbers(page, delta, "s6-damping-marginal")
     in_numbers(page, gamma, "s6-stiffness-marginal")
     page.lemma(
-        "Without a damper no wall that does not pull is stable beside the spring with "
-        "$(d+1)\\sqrt\\gamma=\\frac\\pi2$",
+        r"Without a damper no wall with $\alpha\ge0$ is stable with the spring "
+        r"$(d+1)\sqrt\gamma=\frac\pi2$",
         excluded(),
         because="as in \\chapter{s5c_robust}; $\\gamma=(\\frac\\pi{100})^2<0.001$ is this "
         "spring for $d=49$",
     )
     page.say(
-        "So behind long delays neither part is marginal: at $d=49$ this spring without a damper "
-        "leaves no stable stiffness at all. No factor bounds what the damper adds, nor what the "
-        "spring takes."
+        "So with long delays neither part is marginal: at $d=49$ no stiffness is stable with "
+        "this spring and without a damper. The effect of the damper and of the spring is not "
+        "bounded by any factor."
     )
     damping(page)
     spring(page)
@@ -65,7 +65,7 @@ def in_numbers(page, parameter, id):
         changes(parameter),
         enclosed=True,
         note=f"the numbers are for {ranges} and the delays 0 to 7, at both ends of the range of "
-        f"the other parameter; what the words call small is left to the reader. Behind long delays "
+        f"the other parameter; whether they are small is left to the reader. With long delays "
         rf"it is not small: \texttt{{{id.replace('marginal', 'any-delay')}}}",
     )
 
@@ -83,9 +83,9 @@ def damping(page):
         theorem,
         example={gamma: S.Zero, delta: S.Zero, d: S.Zero},
         unless={AT_ONCE: (point, denial)},
-        shows=r"at $d=49$, $\gamma=(\pi/100)^2$ no wall that does not pull is stable without "
-        r"damping, and $\alpha=0.0005$ is with $\delta=0.02$",
-        note=r"of whole delays; without delay the factor is less than 1.05 on all of (23)",
+        shows=r"at $d=49$, $\gamma=(\pi/100)^2$ no wall with $\alpha\ge0$ is stable without "
+        r"damping, and $\alpha=0.0005$ is stable with $\delta=0.02$",
+        note="of integer delays; without delay the factor is less than 1.05 on all of (23)",
     )
 
 
@@ -103,7 +103,7 @@ def spring(page):
         theorem,
         example={gamma: S.Zero, delta: S.Zero, d: S.Zero},
         unless={AT_ONCE: (point, not_all(then.at(point), denial))},
-        shows=r"at $d=49$ without damping the spring $\gamma=(\pi/100)^2$ excludes every wall that "
-        r"does not pull, and $\alpha=0.0002$ is stable for a free mass",
-        note=r"of whole delays; without delay the factor is less than 1.05 on all of (23)",
+        shows=r"at $d=49$ without damping the spring $\gamma=(\pi/100)^2$ excludes every wall with "
+        r"$\alpha\ge0$, and $\alpha=0.0002$ is stable for a free mass",
+        note="of integer delays; without delay the factor is less than 1.05 on all of (23)",
     )

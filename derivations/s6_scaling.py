@@ -1,8 +1,8 @@
-r"""How do the sampling rate and the mass scale what is passive and what is stable?
+r"""How do the passive and the stable walls scale with the sampling rate and the mass?
 
-Passivity knows neither mass nor operator, so that its limits scale without conditions. A stable
-loop is one in the units of Table I. It scales where the operator's numbers there stay the same, and
-not where the damper or the spring is simply kept.
+Passivity depends neither on the mass nor on the operator, so that its limits scale without
+conditions. The stable walls scale if the operator's $\gamma$ and $\delta$ of Table I stay the same,
+but not if the damper or the spring is constant.
 """
 
 from symhaptic.book.lemmas.mass import no_mass_differs
@@ -33,8 +33,8 @@ SPRUNG = STILL | {K: Rational(686, 1000), B: Rational(8283, 10000), k: Rational(
 
 def derive(page):
     faster = page.lemma(
-        "At $y$ times the rate $y^2K$ and $yB$ are stable where $K$ and $B$ were, with $bT/m$ and "
-        "$kT^2/m$ kept",
+        "At $y$ times the rate $y^2K$ and $yB$ are stable where $K$ and $B$ were, with constant "
+        "$bT/m$ and $kT^2/m$",
         with_the_rate(STIFFER, STRONGER),
     )
     passive = page.lemma(
@@ -47,12 +47,12 @@ def derive(page):
         "s6-sampling",
         conj(passive, free_mass(faster, FASTER)),
         [_grown(point | {y: S(2)}, S(4), S(2)) for point in (BRAKED, SPRUNG)],
-        shows="at twice the rate the wall $\\alpha=0.713$ of a damper of 0.02 is lost, as for four "
-        "times the stiffness",
+        shows=r"at twice the rate the wall $\alpha=0.713$ with $\delta=0.02$ becomes unstable, as "
+        "for four times the stiffness",
         note="the passive side is exact for every device",
     )
     heavier = page.lemma(
-        "A stable wall grows with the mass, with $b/m$ and $k/m$ kept",
+        "A stable wall grows with the mass, with constant $b/m$ and $k/m$",
         with_the_mass(STIFFER, STRONGER),
     )
     settled(
@@ -61,7 +61,7 @@ def derive(page):
         conj(free_mass(heavier, HELD), no_mass_differs(m, HEAVY)),
         [_grown(BRAKED | {HEAVY: S(2)}, S(2), S(2)), _grown(SPRUNG | {HEAVY: S(4)}, S(4), S(4))],
         shows="twice the mass with the same damper gives less than twice the stiffness",
-        note="the passive region is free of the mass, without condition",
+        note="the passive region does not depend on the mass",
     )
     performance(page)
     light(page)
@@ -75,27 +75,24 @@ def _grown(point, stiffness, damping):
 def performance(page):
     """Stiffness per mass, and all else in proportion."""
     found = page.lemma(
-        "Stiffness and mass that grow equally gain nothing", with_the_stiffness(STIFFER)
+        "Equal factors of stiffness and mass have no benefit", with_the_stiffness(STIFFER)
     )
     point = STILL | {K: S.One, B: S.One, HEAVY: S(2), STIFFER: S(2)}
     page.settle(
         "s6-performance",
         found,
         example=point,
-        note="if wall, damper and spring grow with the mass the loop moves as before",
+        note="if wall, damper and spring grow with the mass, the motion of the loop is the same",
     )
 
 
 def light(page):
     """A hand of less mass."""
     page.say(
-        "A hand that holds the device loosely adds less mass. Of a device without damper and "
-        "spring just the share $(m_D+ym_H)/(m_D+m_H)$ of each stable wall stays stable with $y$ "
-        "times the mass of the hand:"
+        "A loose grip adds less mass. For a device without damper and spring, the stable walls "
+        "shrink by the factor $(m_D+ym_H)/(m_D+m_H)$ with $y$ times the mass of the arm:"
     )
-    found = page.lemma(
-        "A lighter hand leaves the larger share the heavier the device is", lighter_hands()
-    )
+    found = page.lemma("This factor is larger for a heavier device", lighter_hands())
     page.settle(
         "s6-light-device",
         found,

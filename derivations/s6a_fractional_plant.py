@@ -1,8 +1,8 @@
-r"""What does the device do with a force that arrives in the middle of a period?
+r"""How does the device respond to a force with a fractional delay?
 
-A delay of $\ell+\varepsilon$ periods, $0\le\varepsilon<1$, lets the held force change inside a
-period: for the time $\varepsilon T$ the device still feels the force before. The samples of that
-motion are again a transfer function, exactly; the paper's $z^{-d}$ is not.
+A delay of $\ell+\varepsilon$ periods, $0\le\varepsilon<1$, changes the held force inside a period:
+for the time $\varepsilon T$ the previous force still acts. The samples of this motion have an exact
+transfer function, which differs from the paper's $z^{-d}$.
 """
 
 from symhaptic.book.lemmas.late_device import exact_late_plant, exact_plant
@@ -27,17 +27,18 @@ def derive(page):
     page.same("the free motion", parts[0], parts[1] * parts[2])
     page.same("the held force", pushed[0], pushed[1] + parts[1] * pushed[2])
     page.say(
-        "The force of the sample $\\ell$ periods ago pushes last, the one before it first, so that "
-        "$x_{k+1}=\\Phi(1)x_k+\\Phi(1-\\varepsilon)\\Gamma(\\varepsilon)F_{k-\\ell-1}"
-        "+\\Gamma(1-\\varepsilon)F_{k-\\ell}$. Solved for the position, the sampled device has one "
-        "more coefficient and one more state, the force before:"
+        r"The previous force acts first and the force of the sample $\ell$ periods ago last, so "
+        r"that $x_{k+1}=\Phi(1)x_k+\Phi(1-\varepsilon)\Gamma(\varepsilon)F_{k-\ell-1}"
+        r"+\Gamma(1-\varepsilon)F_{k-\ell}$. "
+        "Solved for the position, the sampled device has one more coefficient and one more "
+        "state, the previous force:"
     )
     turning = z * eye(2) - parts[0]
     force = pushed[1] + parts[1] * pushed[2] / z
     place = (turning.adjugate() * force / turning.det())[0] * z ** (-l)
-    page.same("the late force", place, late.transfer.xreplace(given))
+    page.same("the delayed force", place, late.transfer.xreplace(given))
     found = page.lemma(
-        "The sampled device is exact for every device, and nothing jumps",
+        "The sampled device is exact for every device and continuous in the delay",
         exact_late_plant(),
         boxed=True,
         because="with the motion $g(t)$ under a unit force from rest, $m_2=g(1-\\varepsilon)$ and "
@@ -46,22 +47,22 @@ def derive(page):
     )
     page.state(
         "fractional-plant",
-        "behind a delay of $(\\ell+\\varepsilon)T$ the sampled device is "
-        "$M(z)z^{-\\ell}/(zA(z))$ with $M=m_2z^2+m_1z+m_0$, exactly, and between the whole "
-        "delays $\\ell$ and $\\ell+1$ nothing jumps",
+        r"with a delay of $(\ell+\varepsilon)T$ the sampled device is $M(z)z^{-\ell}/(zA(z))$ "
+        "with $M=m_2z^2+m_1z+m_0$, exactly, and it is continuous between the integer delays "
+        r"$\ell$ and $\ell+1$",
         claim=exact_plant(),
     )
     page.settle("fractional-plant", found)
     page.say(
-        "The numbers are those of the undelayed device, $n_1(\\gamma,\\delta)$ and "
-        "$n_0(\\gamma,\\delta)$, at the part of the period that is left or gone: a period $x$ "
-        "times as long has $\\gamma x^2$ and $\\delta x$. So $m_2=(1-\\varepsilon)^2\\,n_1\\bigl("
-        "\\gamma(1-\\varepsilon)^2,\\delta(1-\\varepsilon)\\bigr)$, and what is left of the force "
-        "before is decayed, $m_0=\\varepsilon^2e^{-\\delta(1-\\varepsilon)}\\,n_0\\bigl(\\gamma"
-        "\\varepsilon^2,\\delta\\varepsilon\\bigr)$. One function is enough for both, "
-        "$n_0(\\gamma,\\delta)=e^{-\\delta}\\,n_1(\\gamma,-\\delta)$: what is left of a force at "
-        "the end of a period is what the mirrored motion, with negative damping, has at its "
-        "beginning."
+        r"The numbers are those of the undelayed device, $n_1(\gamma,\delta)$ and "
+        r"$n_0(\gamma,\delta)$, for the remaining or the elapsed part of the period: a period $x$ "
+        r"times as long has $\gamma x^2$ and $\delta x$. So "
+        r"$m_2=(1-\varepsilon)^2\,n_1\bigl(\gamma(1-\varepsilon)^2,\delta(1-\varepsilon)\bigr)$, "
+        "and the effect of the previous force decays, "
+        r"$m_0=\varepsilon^2e^{-\delta(1-\varepsilon)}\,"
+        r"n_0\bigl(\gamma\varepsilon^2,\delta\varepsilon\bigr)$. "
+        r"One function is enough for both, $n_0(\gamma,\delta)=e^{-\delta}\,n_1(\gamma,-\delta)$: "
+        "this follows by reversing the time, which changes the sign of the damping."
     )
 
     def shortened(time):
@@ -75,10 +76,10 @@ def derive(page):
     ):
         page.same("numbers", ours.xreplace(given), theirs.xreplace(given))
     page.lemma(
-        "A constant force does not feel the delay, and at both ends of the fraction the device is "
-        "the undelayed one",
+        r"A constant force is not affected by the delay, and for $\varepsilon=0$ and "
+        r"$\varepsilon=1$ the coefficients are those of an integer delay",
         conj(*numbers_of_a_late_device()),
-        because="so that $P(1)=1/\\gamma$ stays, and a full period is one more $z^{-1}$",
+        because=r"so that $P(1)=1/\gamma$, and $\varepsilon=1$ is one more factor $z^{-1}$",
     )
     free = fractional.late(plant.normalised(Parts(stiffness=False, damping=False)))
     page.say("For a free mass, $\\gamma=\\delta=0$:")

@@ -1,8 +1,7 @@
-r"""Where is the stability boundary when the delay is no whole number of periods?
+r"""What is the stability boundary for a fractional delay?
 
-The sampled device of \chapter{s6a_fractional_plant} has one more coefficient. Everything else that
-was said of whole delays can be asked again: the polynomial, its roots at 1 and $-1$, and the
-boundary as an explicit curve.
+The sampled device of \chapter{s6a_fractional_plant} has one more coefficient. We derive again the
+polynomial, its roots at 1 and $-1$, and the explicit boundary.
 """
 
 from symhaptic.book.lemmas.late_boundary import boundary_is_explicit, late_boundary
@@ -24,11 +23,11 @@ def derive(page):
     push = (alpha + beta) * z - beta
     page.say("With $A=z^2-az+e$ and $M=m_2z^2+m_1z+m_0$ the loop closes over the wall:")
     polynomial = page.step(
-        "The loop has the polynomial of the late device and the wall",
+        "The characteristic polynomial with a fractional delay",
         (1 + top / (z * bottom) * z ** (-l) * push / z) * z ** (l + 2) * bottom,
         z ** (l + 2) * bottom + top * push,
         name="p_1(z)",
-        because="of degree $\\ell+4$ and monic: one root more than for the whole delay $\\ell$",
+        because=r"of degree $\ell+4$ and monic: one more root than for the integer delay $\ell$",
     )
     device = fractional.late(plant.normalised(FULL), split=c)
     numbers = {m_2: device.m2, m_1: device.m1, m_0: device.m0}
@@ -40,16 +39,16 @@ def derive(page):
     for end, expected in ((0, z * whole.subs(d, l)), (1, whole.subs(d, l + 1))):
         page.same("ends", made.subs(epsilon, end).xreplace(given), expected.xreplace(given))
     found = page.lemma(
-        "A loop is stable behind a fractional delay if all zeros of this polynomial lie inside",
+        "A loop is stable with a fractional delay if all zeros of this polynomial lie inside",
         polynomial_of_a_late_loop(),
-        because="the degree is $\\ell+4$, and at both ends it is that of a whole delay, since "
+        because=r"the degree is $\ell+4$, and at both ends it is that of an integer delay, since "
         "$(m_2,m_1,m_0)$ is $(n_1,n_0,0)$ and $(0,n_1,n_0)$ there",
     )
     page.state(
         "fractional-polynomial",
-        "for a delay of $(\\ell+\\varepsilon)T$ the characteristic polynomial is "
-        "$z^{\\ell+2}A+M((\\alpha+\\beta)z-\\beta)$, of degree $\\ell+4$; it passes into those of "
-        "the whole delays on both sides",
+        r"for a delay of $(\ell+\varepsilon)T$ the characteristic polynomial is "
+        r"$z^{\ell+2}A+M((\alpha+\beta)z-\beta)$, of degree $\ell+4$; it tends to the polynomials "
+        "of both neighbouring integer delays",
         claim=late_polynomial(),
     )
     page.settle("fractional-polynomial", found, example=EXAMPLE)
@@ -57,7 +56,7 @@ def derive(page):
     page.say("It is affine in the wall, so that the boundary is explicit again:")
     q = -(z ** (l + 1)) * bottom / top
     page.step(
-        "A root asks for one wall",
+        "A root determines one wall",
         polynomial / (z * top),
         alpha + beta * (1 - 1 / z) - q,
         name=r"\frac{p_1(z)}{zM(z)}",
@@ -74,12 +73,12 @@ def derive(page):
         S.Zero,
         name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,"
         r"\ \alpha=\Re Q-\beta(1-\cos\theta)}",
-        because="for every plant, every whole $\\ell$ and every $\\varepsilon$",
+        because=r"for every plant, every integer $\ell$ and every $\varepsilon$",
     )
     at_one = Eq(polynomial.subs(z, 1), (n_1 + n_0) * (alpha + gamma))
     total = numbers_of_a_late_device()[0]
     page.lemma(
-        "There is a root at 1 on the left bound only",
+        r"A root at 1 means $\alpha=-\gamma$",
         combined(at_one, [device_static(assume(DEVICE)), 1], [total, alpha]),
     )
     page.say("As before, $\\alpha>-\\gamma$ is necessary. There may be a root at $-1$, too:")
@@ -130,19 +129,20 @@ def derive(page):
         name = {bottom: "|A|^2", top: "|M|^2"}.get(factor, "|W|^2")
         page.step(title, value * value.xreplace({I: -I}), square, name=name)
     page.say(
-        "So the angles of all possible crossings are the roots of one cubic in $\\cos\\theta$, a "
-        "quadratic for whole delays where $m_0=0$. The cost of a test does not grow with the delay."
+        r"So the angles of all possible crossings are the roots of a cubic in $\cos\theta$, or of "
+        "a quadratic for integer delays, where $m_0=0$. The cost of a test does not grow with "
+        "the delay."
     )
     free = fractional.late(plant.normalised(Parts(stiffness=False, damping=False)))
     numbers = {m_2: free.m2, m_1: free.m1, m_0: free.m0, a: free.device.a, e: free.device.e}
     shift = exp(-I * (l + epsilon + S.Half) * theta)
     page.limit(
-        "Of a free mass the boundary leaves the origin as (25) has it",
+        "The boundary of a free mass starts at the origin with the slope of (25)",
         (turned.subs(numbers) * shift / theta**2 - 1) / theta,
         theta,
         S.Zero,
         S.Zero,
         name=r"\frac1\theta\Bigl(\frac{Q}{\theta^2}\,e^{-j(\ell+\varepsilon+1/2)\theta}-1\Bigr)",
-        because="so the boundary leaves the origin with $\\beta/\\alpha=d+\\frac12$: there the "
-        "linear condition (25) is right for fractional delays too",
+        because=r"so the boundary starts with $\beta/\alpha=d+\frac12$: there the linear condition "
+        "(25) is right for fractional delays too",
     )

@@ -1,9 +1,9 @@
-r"""Half a period late: is a wall stable that the paper takes for stable?
+r"""With a delay of half a period, is every wall stable that is stable in the paper's reading?
 
-For a fractional delay the paper puts $z^{-d}=e^{-jd\theta}$ into the polynomial of a whole one.
-We hold that against the exact polynomial for the plainest device, a free mass, and for
-$d=\ell+\tfrac12$. The two boundaries are $Q=-z^{\ell+1}A/M$ and $Q_p=-z^dA/N$. A wall that is
-stable in truth is stable in the paper's reading, and not the other way around.
+For a fractional delay the paper puts $z^{-d}=e^{-jd\theta}$ into the polynomial of a whole one. We
+compare this with the exact polynomial for a free mass and $d=\ell+\tfrac12$. The two boundaries are
+$Q=-z^{\ell+1}A/M$ and $Q_p=-z^dA/N$. Every stable wall is stable in the paper's reading, but not
+conversely.
 """
 
 from symhaptic.book.lemmas.half_late_circle import (
@@ -39,24 +39,24 @@ def derive(page):
     )
     ratio = on_circle(exact / printed)
     page.limit(
-        "Their phases part with the third power of the angle",
+        "Their phases differ by the third power of the angle",
         (ratio - real_part(ratio)) / (I * theta**3),
         theta,
         S.Zero,
         epsilon * (1 - epsilon) * (1 - 2 * epsilon) / 12,
         name=r"\frac{1}{\theta^3}\,\Im\frac{Q}{Q_p}",
-        because="the true delay acts longer before half a period, and shorter after it",
+        because="the phase of the exact delay is larger below half a period, and smaller above",
     )
     half, c = {epsilon: S.Half}, cos(theta / 2)
     shrinks = page.step(
-        "Half a period late the true wall is the smaller one",
+        "With a delay of half a period the exact boundary has the smaller wall",
         ratio.subs(half),
         2 * c / (1 + c**2),
         name="Q/Q_p",
         because="positive, and less than 1 as $(1-\\cos\\frac\\theta2)^2>0$",
     )
     page.step(
-        "Half a period late both have one phase",
+        "With a delay of half a period both have the same phase",
         on_circle(printed.subs(half)) * exp(-I * (l + 1) * theta),
         4 * sin(theta / 2) ** 2 / c,
         name=r"Q_p\,e^{-j(\ell+1)\theta}",
@@ -67,20 +67,21 @@ def derive(page):
         1 - shrinks.subs(theta, pi / 3),
         1 - 4 * sqrt(3) / 7,
         name="1-Q/Q_p",
-        because="1.03 per cent; it rises with $\\theta$, and on the first arc $\\alpha$ ends at "
-        "$\\theta=\\pi/(2\\ell+3)$",
+        because=r"1.03\,\%; it increases with $\theta$, and on the first arc $\alpha$ ends at "
+        r"$\theta=\pi/(2\ell+3)$",
     )
     page.say(
-        "So the true boundary is a little nearer. But a curve is no region yet, and both have "
-        "further turns. Let us go from the true loop to the one that is read, and watch the roots "
-        "$\\zeta=\\sqrt z$ with $\\Re\\zeta>0$. A term is between them, small near $\\zeta=1$:"
+        "So the exact boundary is slightly closer to the origin. This compares the first arcs "
+        "only. For the regions we deform the exact loop into that of the paper's reading and "
+        r"follow the roots $\zeta=\sqrt z$ with $\Re\zeta>0$. Both polynomials differ by a term "
+        r"that is small near $\zeta=1$:"
     )
     polynomial = fractional.characteristic(Parts(False, False)).subs(half)
     wall = (alpha + beta) * z - beta
     theirs = z ** (l + S.Half) * z * poles + free.device.numerator * wall
     late = (sqrt(z) - 1) ** 4 / 8
     page.step(
-        "What is read is the true polynomial and a term",
+        "The polynomial of the paper's reading is the exact one plus a term",
         on_circle(sqrt(z) * theirs - polynomial),
         on_circle(-late * wall),
         name=r"\zeta\,p_p(\zeta)-p_1(\zeta^2)\big|_{\zeta=e^{j\theta/2}}",
@@ -89,26 +90,26 @@ def derive(page):
         "$|\\zeta|\\ge1$",
     )
     page.step(
-        "On the circle the term makes the wall a little weaker",
+        "On the circle the term reduces the wall slightly",
         on_circle((free.numerator.subs(half) - q * late) / z),
         (1 + c**2) / 2 - q * (1 - c) ** 2 / 2,
         name=r"\frac{1}{z}\Bigl(M-\frac{q}{8}(\zeta-1)^4\Bigr)",
-        because="real: a root there is one of the true loop with a wall $yW$, $W=\\alpha+"
-        "\\beta(1-1/z)$ and $1-y=q(1-\\cos\\frac\\theta2)^2/(1+\\cos^2\\frac\\theta2)$",
+        because="real: a root there is one of the exact loop with a wall $yW$, "
+        r"$W=\alpha+\beta(1-1/z)$ and $1-y=q(1-\cos\frac\theta2)^2/(1+\cos^2\frac\theta2)$",
     )
     page.say(
-        "That cannot be, if the wall $W$ itself is stable. Of a polynomial of degree $n$ with all "
-        "roots inside the phase rises along the circle by more than $\\frac n2$ per angle. At "
-        "this root $p_1=-(1-y)z^{\\ell+2}A/y$, and the phase of $p_1$ rises by "
-        "$(\\ell+3-(1+w)/y)/(1-1/y)$, where $w$ is what that of $zW$ rises by. So it would be "
-        "$w>\\frac12(\\ell+2)(1+y)$, which is nearly $\\ell+2$:"
+        "This is impossible if the wall $W$ itself is stable. The phase of a polynomial of "
+        "degree $n$ with all roots inside increases along the circle at a rate of more than "
+        r"$\frac n2$. At this root $p_1=-(1-y)z^{\ell+2}A/y$, and the phase of $p_1$ rises by "
+        r"$(\ell+3-(1+w)/y)/(1-1/y)$, where $w$ is the rate for $zW$. So "
+        r"$w>\frac12(\ell+2)(1+y)$, which is nearly $\ell+2$, in contradiction to this bound:"
     )
     needed = {
         alpha: (sin((l + 2) * theta) - sin((l + 1) * theta)) / sin(theta),
         beta: sin((l + 1) * theta) / sin(theta),
     }
     page.step(
-        "On the boundary the phase of the wall rises by less",
+        "On the boundary the phase of the wall increases more slowly",
         real_part(on_circle((alpha + beta) * z / wall)).subs(needed),
         sin((l + 2) * theta) * cos((l + 1) * theta) / sin(theta),
         name="w",
@@ -123,36 +124,36 @@ def derive(page):
         because="at $\\zeta=je^\\psi$; there $z<0$, and the imaginary part is that of the term",
     )
     found = page.lemma(
-        "What is stable in truth is stable in the paper's reading",
+        "Every stable wall is stable in the paper's reading",
         stable_as_read(),
-        because="no root with $\\Re\\zeta>0$ and $|\\zeta|\\ge1$ is there at the start, and none "
-        "enters",
+        because=r"there is no root with $\Re\zeta>0$ and $|\zeta|\ge1$ at the start, and none "
+        r"enters",
         boxed=True,
     )
     page.state(
         "fractional-half-mass",
-        "half a period late, $d=\\ell+\\tfrac12$, a wall that keeps a free mass stable is stable "
-        "in the paper's reading",
+        r"with a delay of half a period, $d=\ell+\tfrac12$, a wall that keeps a free mass stable "
+        "is stable in the paper's reading",
         claim=half_late_mass(),
     )
     point, held = stands()
     page.settle("fractional-half-mass", found, example=(point, held))
     found = page.lemma(
-        "There is a wall that the paper's reading takes for stable, and that is not",
+        "Some wall is stable in the paper's reading and unstable",
         one_error(),
         because="between the two boundaries, $(\\alpha,\\beta)=(\\tfrac1{15},\\tfrac{16}{15})$ "
         "for $\\ell=0$, by balls around all roots",
     )
     page.state(
         "fractional-half-mass-apart",
-        "half a period late some wall is stable for a free mass in the paper's reading, the "
-        "principal sheet, and not in truth",
+        "with a delay of half a period some wall is stable for a free mass in the paper's "
+        "reading, the principal sheet, and unstable",
         claim=read_too_largely(),
     )
     page.settle("fractional-half-mass-apart", found)
 
 
-# Half a period late a wall that is stable for a free mass is stable in the paper's reading.
+# With half a period of delay a stable wall of a free mass is stable in the paper's reading.
 #
 # The loop has the polynomial F(z), and what the paper reads is P(v) with v^2 = z and v P(v) =
 # F(v^2) - (v-1)^4 W(v^2)/8.  Along F(v^2) - q (v-1)^4 W(v^2)/8, 0 < q <= 1, no zero crosses the
@@ -163,7 +164,7 @@ v = Symbol("v")
 
 
 def half_late_mass() -> Proposition:
-    """A wall that is stable half a period late is stable on the principal sheet."""
+    """A wall that is stable with a delay of half a period is stable on the principal sheet."""
     return every((alpha, beta, l), [whole(l), TRUE], READ)
 
 
@@ -210,6 +211,6 @@ def stable_as_read() -> Theorem:
 
 
 def stands() -> tuple[dict[Any, Expr], Theorem]:
-    """A wall, and that it is stable half a period late."""
+    """A wall, and that it is stable with a delay of half a period."""
     wall: dict[Any, Expr] = {alpha: Rational(1, 20), beta: Rational(1, 2)}
     return {**wall, l: S.Zero}, in_truth(FREE, wall, True)

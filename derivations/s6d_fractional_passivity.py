@@ -1,8 +1,8 @@
-r"""When is a wall passive whose delay is no whole number of periods?
+r"""When is a wall with a fractional delay passive?
 
-With a delay of $\ell+\varepsilon$ periods the force changes inside a period, and a motion within
-the period counts. Which inequality forbids that energy is extracted, and what becomes of it at
-whole delays?
+With a delay of $\ell+\varepsilon$ periods the force changes inside a period, so that the motion
+within the period matters. Which inequality excludes that energy is extracted, and what is its limit
+for integer delays?
 """
 
 from symhaptic.book.lemmas.late_passivity import (
@@ -20,13 +20,14 @@ KERNEL = K * T / (2 * sin(theta / 2))
 def derive(page):
     rest = 1 - epsilon
     page.say(
-        "Follow the device while one force is held. Its displacement in this time is $p_k$. In "
-        "between, when a straight motion would have covered $(1-\\varepsilon)p_k$, the wall takes "
-        "its next sample; let the device be off by $q_k$ then. Both pieces, of the times "
-        "$(1-\\varepsilon)T$ and $\\varepsilon T$, cost least at constant speed:"
+        "Consider the device while one force is held. Its displacement in this time is $p_k$. "
+        r"After $(1-\varepsilon)T$ the wall takes its next sample; let the position then differ "
+        r"by $q_k$ from the value $(1-\varepsilon)p_k$ of a motion at constant speed. In both "
+        r"parts, of the durations $(1-\varepsilon)T$ and $\varepsilon T$, the dissipation is "
+        "smallest at constant speed:"
     )
     page.step(
-        "A damper burns this at least, times $T/b$",
+        "A damper dissipates at least this energy, times $T/b$",
         (rest * p_k + q_k) ** 2 / rest + (epsilon * p_k - q_k) ** 2 / epsilon,
         p_k**2 + q_k**2 / (epsilon * rest),
     )
@@ -38,28 +39,28 @@ def derive(page):
         "+\\Re\\{G\\,(\\ldots p+q)\\,\\bar p\\}$ with $G=z^{-\\ell-1}H$."
     )
     page.step(
-        "The sample is taken between two whole delays",
+        "The sample is taken between two integer delays",
         1 / (z - 1) + rest,
         rest * z / (z - 1) + epsilon / (z - 1),
         because="of $\\ell$ and $\\ell+1$ periods, weighted by $1-\\varepsilon$ and $\\varepsilon$",
     )
     form = fractional.energy_form()
     straight = page.step(
-        "A straight motion needs damping",
+        "The required damping of a motion with $q=0$",
         b - T * form[0, 0],
         KERNEL * (rest * sin((l + HALF) * theta) + epsilon * sin((l + 3 * HALF) * theta))
         - B * (rest * cos((l + 1) * theta) + epsilon * cos((l + 2) * theta)),
         name=N,
-        because="what the wall takes from such a motion, times $T$ and with its sign reversed",
+        because="the negative of the energy that the wall receives from such a motion, times $T$",
     )
     page.step(
-        "With a whole delay $d$ a wall needs this damping at an angle",
+        "The required damping at an angle for an integer delay $d$",
         b - passivity.margin(),
         passivity.dirichlet_form(),
         name=NEED(d),
     )
     page.step(
-        "What it needs lies between the needs of two whole delays",
+        "The required damping is a mean of those of two integer delays",
         straight,
         rest * NEED(l) + epsilon * NEED(l + 1),
         name=N,
@@ -70,7 +71,7 @@ def derive(page):
         T**2 * force * force.xreplace({I: -I}),
         fractional.stiffness_squared(),
         name="T^2|H|^2",
-        because="on the unit circle the delay only turns it",
+        because="on the unit circle the delay changes only the phase",
     )
     det = form[0, 0] * form[1, 1] - form[0, 1] * form[1, 0]
     margin = b * (b - straight) - epsilon * rest * square / 4
@@ -79,13 +80,14 @@ def derive(page):
         det * T**2 * epsilon * rest,
         b * (b - N) - epsilon * rest * square / 4,
         name=r"\varepsilon(1-\varepsilon)T^2\det",
-        because="as its corner $b/(T\\varepsilon(1-\\varepsilon))$ is positive; the second term is "
-        "what a deviation $q$ gains at best",
+        because=r"as its corner $b/(T\varepsilon(1-\varepsilon))$ is positive; the second term is "
+        r"the "
+        "maximal gain by a deviation $q$",
         boxed=True,
     )
     root = (u + sqrt(u**2 + w)) / 2
     page.step(
-        "Solved for the damping it has one positive solution",
+        "Solved for the damping there is one positive solution",
         root * (root - u) - w / 4,
         S.Zero,
         name=r"\det\big|_{b=\frac12(n+\sqrt{n^2+\varepsilon(1-\varepsilon)T^2|H|^2})}",
@@ -93,11 +95,11 @@ def derive(page):
     )
     page.same("as in the model", margin, fractional.margin())
     page.say(
-        "Which angles count? With $\\psi=\\theta/2$ write $r^2=w^2+u^2\\cot^2\\psi$ for the wall "
-        "$u=KT/(2b)$, $w=(B+KT/2)/b$, and $\\varrho^2=1-4\\varepsilon(1-\\varepsilon)\\sin^2\\psi$ "
-        "for the delay. Both fall with $\\theta$ if $K\\ge0$. The size of the wall is "
-        "$T|H|=2br\\sin\\psi$, and $n=br\\varrho\\cos\\varphi$ with some phase $\\varphi$; below, "
-        "$x$ stands for $\\varrho$."
+        r"Which angles matter? With $\psi=\theta/2$ write $r^2=w^2+u^2\cot^2\psi$ for the wall "
+        r"$u=KT/(2b)$, $w=(B+KT/2)/b$, and $\varrho^2=1-4\varepsilon(1-\varepsilon)\sin^2\psi$ "
+        r"for the delay. Both fall with $\theta$ if $K\ge0$. The size of the wall is "
+        r"$T|H|=2br\sin\psi$, and $n=br\varrho\cos\varphi$ with some phase $\varphi$; below, $x$ "
+        r"stands for $\varrho$."
     )
     page.step(
         "In $u$ and $w$ the size of the wall falls with the angle",
@@ -111,8 +113,9 @@ def derive(page):
         need_**2 - need_ * r * x * cos(phi) - (1 - x**2) * r**2 / 4,
         r**2 * x * (1 + x) * (1 - cos(phi)) / 2,
         name=r"\frac{1}{b^2}\Bigl(b(b-n)-\ldots\Bigr)",
-        because="never negative, and zero in phase, $\\varphi=0$: beyond the first angle where "
-        "that happens no angle asks for more",
+        because=r"never negative, and zero in phase, $\varphi=0$: angles beyond the first such "
+        r"angle "
+        "require no more",
     )
     for title, end, delay in (
         ("Without a fraction it is the condition of the delay $\\ell$", 0, l),
@@ -125,12 +128,12 @@ def derive(page):
             name=rf"b(b-n)\big|_{{\varepsilon={end}}}",
         )
     page.say(
-        "As for whole delays a motion that comes back to where it began decides, and $K\\ge0$ "
-        "stands for the others: what a spring has stored can be fetched by a slow way back, which "
-        "costs the damper as little as one likes. At equality no energy is gained either."
+        "As for integer delays it is sufficient to consider motions that return to their start "
+        r"if $K\ge0$: the energy of the spring can be recovered by a slow return, with "
+        "arbitrarily little dissipation. At equality no energy is gained either."
     )
     found = page.lemma(
-        "No motion extracts energy if and only if that holds at every angle",
+        "No motion extracts energy if and only if this holds at every angle",
         passive_at_every_angle(),
         because="the sum over all motions is not negative where the form is not, at every angle",
     )

@@ -1,7 +1,7 @@
-r"""Is a passive wall stable when its delay is no whole number of periods?
+"""Is a passive wall with a fractional delay stable?
 
-For whole delays it is, because the motion at a root on the unit circle would extract energy. The
-same motion is looked at again, with a force that changes inside the period.
+For integer delays it is, because the motion of a root on the unit circle would extract energy. We
+consider the same motion with a force that changes inside the period.
 """
 
 from symhaptic.book.lemmas.half_late_passive import DAMPER, passive_with
@@ -16,10 +16,10 @@ from symhaptic.notation import q_k
 
 def derive(page):
     page.say(
-        "Let a root lie at $z=e^{j\\theta}$, and follow the motion that belongs to it, in units of "
-        "mass and period. The force $F$ of a sample has pushed from $\\varepsilon$ on, and $F/z$ "
-        "before. The state turns by $z$ in every period, and its samples are those of the device, "
-        "$x_0/F=M(z)/(zA(z))$."
+        r"Let a root lie at $z=e^{j\theta}$, and follow the motion that belongs to it, in units "
+        r"of mass and period. The force $F$ of a sample acts from $\varepsilon$ on, and $F/z$ "
+        "before. The state is multiplied by $z$ in every period, and its samples are those of "
+        "the device, $x_0/F=M(z)/(zA(z))$."
     )
     device = plant.normalised(Parts())
     given = {gamma: (delta**2 - c**2) / 4}
@@ -34,14 +34,14 @@ def derive(page):
     place = late.numerator / (z * late.device.denominator)
     page.same("the sampled device", start[0], place.xreplace(given))
     page.step(
-        "All work is burnt",
+        "All work is dissipated",
         v * (F - delta * v - gamma * x) + gamma * x * v,
         F * v - delta * v**2,
         name=r"\tfrac{d}{dt}\,\tfrac12(v^2+\gamma x^2)",
         because="the stored energy is the same at all samples",
     )
     page.step(
-        "The damper burns this at least",
+        "The damper dissipates at least this energy",
         ((1 - epsilon) * p_k + q_k) ** 2 / (1 - epsilon) + (epsilon * p_k - q_k) ** 2 / epsilon,
         p_k**2 + q_k**2 / (epsilon * (1 - epsilon)),
         because="in the time in which one force is held, as in "
@@ -50,14 +50,14 @@ def derive(page):
     )
     page.say(
         "So the energy left to damper and wall, the form in $p$ and $q$ of "
-        "\\chapter{s6d_fractional_passivity}, is negative for this motion: equality would need a "
-        "constant speed at all times, and that is $z=1$. (If neither $p$ nor $q$ is there, the "
-        "device rests.) But of a passive wall the form is nowhere negative, and the condition is "
-        "concave in the share $y$ of a weaker wall $yW$:"
+        r"\chapter{s6d_fractional_passivity}, is negative for this motion: equality would require "
+        "a constant speed at all times, that is $z=1$. (For $p=q=0$ the device is at rest.) But "
+        "for a passive wall the form is nowhere negative, and the condition is concave in the "
+        "scale $y$ of a wall $yW$:"
     )
     margin, whole, part = delta**2 - delta * x - w / 4, x, y
     page.step(
-        "The condition of a weaker wall is above the line from no wall to the wall",
+        "The condition for $yW$ is at least the linear interpolation between 0 and $W$",
         delta**2 - part * delta * whole - part**2 * w / 4,
         (1 - part) * delta**2 + part * margin + part * (1 - part) * w / 4,
         name=r"D\big|_{yW}",
@@ -65,16 +65,17 @@ def derive(page):
         "not negative",
     )
     page.lemma(
-        "No root of a passive wall, or of a weaker one, lies on the circle but at 1",
+        "A passive wall, and every smaller multiple of it, has no root on the circle except at 1",
         no_crossing(),
-        because="$2\\Re\\bar p\\,p_1$ is the sum of what is burnt beyond $\\delta(|p|^2+|q|^2/"
-        "(\\varepsilon(1-\\varepsilon)))$, of $|p|^2D$ and of a square",
+        because=r"$2\Re\bar p\,p_1$ is the sum of the energy dissipated beyond "
+        r"$\delta(|p|^2+|q|^2/(\varepsilon(1-\varepsilon)))$, of $|p|^2D$ and of a square",
     )
     found = page.lemma(
-        "Passive walls are stable behind every delay",
+        "Passive walls are stable with every delay",
         late_passive_is_stable(),
-        because="at $z=1$ no root crosses either, as $p_1(1)=(n_1+n_0)(y\\alpha+\\gamma)$: turned "
-        "up from nothing, all roots stay inside",
+        because=r"at $z=1$ no root crosses either, as $p_1(1)=(n_1+n_0)(y\alpha+\gamma)$: scaled "
+        r"from "
+        "zero, all roots stay inside",
         boxed=True,
     )
     page.state(

@@ -1,7 +1,7 @@
-r"""On which side does the paper's passivity condition err at a fractional delay?
+"""Is the paper's passivity condition safe for a fractional delay?
 
-Its (5) to (11) put a fractional $d$ into formulas that are exact for whole delays. We hold them
-against the exact condition at two places that the paper speaks of: at low frequencies and without
+In (5) to (11) the paper uses a fractional $d$ in formulas that are exact for integer delays. We
+compare them with the exact condition in two cases of the paper: at low frequencies and without
 stiffness.
 """
 
@@ -20,20 +20,20 @@ def derive(page):
         "negative at any angle."
     )
     low = page.limit(
-        "At low frequencies it is a condition like (9) with a term more",
+        "At low frequencies it is (9) with one more term",
         margin / b,
         theta,
         S.Zero,
         b + B - K * T * (l + epsilon + HALF) - epsilon * rest * (K * T) ** 2 / (4 * b),
         name="D/b",
-        because="with the delay $d=\\ell+\\varepsilon$: the "
-        "lower part of the boundary is no line but an arc of a parabola, tangent to it at "
-        "$(0,-b)$",
+        because=r"with the delay $d=\ell+\varepsilon$: the lower part of the boundary is not a "
+        r"line "
+        "but an arc of a parabola, tangent to it at $(0,-b)$",
     )
     page.state(
         "fractional-low-frequencies",
-        "every passive wall obeys, and for $0<\\varepsilon<1$ no wall with $K>0$ on the straight "
-        "part (8), (9) does",
+        r"every passive wall satisfies the condition below, and for $0<\varepsilon<1$ no wall "
+        "with $K>0$ on the straight part (8), (9) does",
         r"b + B \geq KT(\ell+\varepsilon+\tfrac{1}{2}) "
         r"+ \frac{\varepsilon(1-\varepsilon)K^2T^2}{4b}",
         claim=low_frequencies(),
@@ -44,13 +44,13 @@ def derive(page):
         low >= 0,
         needed_at_low_frequencies(),
         example=POINT,
-        note="at $d=\\tfrac12$ and $B=0$ the paper allows $KT=b$, and $0.944\\,b$ is true",
+        note=r"at $d=\tfrac12$ and $B=0$ the paper allows $KT=b$; the exact limit is $0.944\,b$",
     )
     without_stiffness(page, margin / b**2)
     page.figure(
         "passive-fractional",
-        "Passive walls for two fractional delays: exact (shaded), by the paper's (7) (dashed), and "
-        "for the next whole delay (dotted).",
+        "Passive walls for two fractional delays: exact (shaded), by the paper's (7) (dashed), "
+        "and for the next integer delay (dotted).",
         passive_regions,
     )
 
@@ -66,17 +66,18 @@ def without_stiffness(page, share):
     )
     for title, damping, form in (
         ("The damping $-b$ is passive", -b, sin),
-        ("The damping $b$ is passive, with room to spare", b, cos),
+        ("The damping $b$ is passive, with a positive margin", b, cos),
     ):
         part = rest * form(one) ** 2 + epsilon * form(two) ** 2
         squares = 2 * part**2 + 2 * mixed**2 + loss
         page.step(title, share.subs({K: 0, B: damping}), squares, name="D/b^2")
     found = page.lemma(
-        "For every fraction damping is passive from $-b$ to above $b$",
+        "For every fractional delay the passive damping ranges from $-b$ to more than $b$",
         damping_late(),
-        because="from $\\theta=\\pi/(2(\\ell+2))$ on the last term of $D$ leaves room for more, "
-        "and up to there no cosine is negative. At $\\theta\\to0$ it is $D=b(b+B)$, and at "
-        "$\\theta=\\pi/(\\ell+2)$ no damping beyond $b/\\varepsilon$ is passive",
+        because=r"from $\theta=\pi/(2(\ell+2))$ on the last term of $D$ leaves slack, and below it "
+        r"no "
+        r"cosine is negative. At $\theta\to0$ it is $D=b(b+B)$, and at $\theta=\pi/(\ell+2)$ "
+        r"no damping beyond $b/\varepsilon$ is passive",
         boxed=True,
     )
     page.state(
@@ -89,6 +90,6 @@ def without_stiffness(page, share):
         "fractional-limit-points",
         found,
         example=POINT,
-        note="the paper gives $(0,-b)$ and $(0,b)$ for every delay; half a period late the end is "
-        "$1.296\\,b$",
+        note="the paper gives $(0,-b)$ and $(0,b)$ for every delay; with a delay of half a period "
+        r"the end is $1.296\,b$",
     )

@@ -1,4 +1,4 @@
-r"""How stiff can a passive wall be half a period late?
+r"""How stiff can a passive wall be with a delay of half a period?
 
 For $d=\tfrac12$ the exact condition is a quadratic in $\cos^2\frac\theta2$, and the boundary of the
 passive walls can be written down. We work in units of $b$ and $T$.
@@ -36,7 +36,7 @@ def derive(page):
         value.subs({y: 1, K: 4 * sqrt(5 + B) - 8}),
         S.Zero,
         name=r"f(1)\big|_{K=4\sqrt{5+B}-8}",
-        because="the lower part of the boundary, where the paper has $K=1+B$",
+        because="the lower part of the boundary, where the paper gives $K=1+B$",
     )
     bend, fall, rest = (expand(value).coeff(y, n) for n in (2, 1, 0))
     double = page.step(
@@ -54,7 +54,7 @@ def derive(page):
         name=r"\tfrac{16}{B}\,(f_1^2-4f_0f_2)\big|_{K=0}",
     )
     tip = page.step(
-        "The curve is farthest to the right at a zero of another polynomial",
+        "The maximum stiffness is at a zero of another polynomial",
         -discriminant(expand(double), B) / 2**22,
         K**6 + 24 * K**5 - 16 * K**4 - 2816 * K**3 + 73472 * K**2 + 694272 * K - 913408,
         name=r"-2^{-22}\,\mathrm{disc}_B\,\bigl(16\,(f_1^2-4f_0f_2)\bigr)",
@@ -77,30 +77,33 @@ def derive(page):
         boxed=True,
     )
     page.say(
-        "Where (11) says $2\\tan\\frac\\pi6=1.154700\\ldots$, the true maximum is 1.8 per cent "
+        r"The formula (11) gives $2\tan\frac\pi6=1.154700\ldots$; the exact maximum is 1.8\,\% "
         "larger. But it belongs to another damping, and the wall of (11) itself is not passive."
     )
     page.state(
         "fractional-largest-stiffness",
-        "half a period late the largest passive stiffness lies between $1.175869\\,b/T$ and "
-        "$1.175870\\,b/T$, 1.8 per cent above (11), and the wall of (11) is not passive",
+        "with a delay of half a period the largest passive stiffness lies between "
+        r"$1.175869\,b/T$ and $1.175870\,b/T$, 1.8\,\% above (11), and the wall of (11) is not "
+        "passive",
         claim=stiffest(),
     )
     units = {b: S.One, T: S.One}
     page.settle("fractional-largest-stiffness", found, example=units)
     helped = page.lemma(
-        "A longer delay may help: passive half a period late, and not without delay", delay_helps()
+        "A longer delay can make a wall passive: one is passive with a delay of half a period "
+        "and not without delay",
+        delay_helps(),
     )
     page.state(
         "fractional-longer-delay",
-        "$K=0$, $B=\\frac65b$ is passive half a period late, and neither without delay nor one "
-        "period late",
+        r"$K=0$, $B=\frac65b$ is passive with a delay of half a period, and neither without "
+        "delay nor with one period of delay",
         claim=a_delay_helps(),
     )
     page.settle("fractional-longer-delay", helped, example=units)
     page.figure(
         "stiffness-fractional",
-        "Largest passive stiffness over the delay: exact, by (11), and by (11) for the next whole "
-        "delay, which is always on the safe side (\\chapter{s6g_next_whole_delay}).",
+        "Largest passive stiffness over the delay: exact, by (11), and by (11) for the next "
+        r"integer delay, which is always safe (\chapter{s6g_next_whole_delay}).",
         largest_stiffness,
     )

@@ -1,8 +1,8 @@
-r"""How stiff can a passive wall be, however late it is?
+"""How stiff can a passive wall be with any delay?
 
-Half a period late it took a polynomial of degree six to say so. Behind any delay the walls that
-need the whole damping of the device at an angle lie on a circle, and a passive wall cannot be
-stiffer than the stiffest of these.
+For half a period the limit is a root of a polynomial of degree six. With any delay, the walls that
+require exactly the damping of the device at an angle lie on a circle, and a passive wall cannot be
+stiffer than the stiffest wall of this circle.
 """
 
 from symhaptic.book.lemmas.late_passivity import EVERY_MARGIN, GIVEN, LATE, WALL, passive_late
@@ -16,13 +16,13 @@ HALF = theta / 2
 
 def derive(page):
     page.say(
-        "With $\\psi=\\theta/2$ and $\\kappa=\\varepsilon(1-\\varepsilon)$ the condition of "
-        "\\chapter{s6d_fractional_passivity} has two means of the delays $\\ell$ and $\\ell+1$, "
-        "$S=(1-\\varepsilon)\\sin(\\ell+1)\\theta+\\varepsilon\\sin(\\ell+2)\\theta$ and $C$, the "
-        "same of cosines. They are the parts of a number whose size is known:"
+        r"With $\psi=\theta/2$ and $\kappa=\varepsilon(1-\varepsilon)$ the condition of "
+        r"\chapter{s6d_fractional_passivity} has two means of the delays $\ell$ and $\ell+1$, "
+        r"$S=(1-\varepsilon)\sin(\ell+1)\theta+\varepsilon\sin(\ell+2)\theta$ and $C$, the same "
+        "of cosines. They are the real and imaginary part of a number of known size:"
     )
     page.step(
-        "Both means leave from 1 what the fraction turns",
+        r"The squares of both means add up to $1-4\kappa\sin^2\psi$",
         1 - UP**2 - ALONG**2,
         4 * SHARE * sin(HALF) ** 2,
         name="1-S^2-C^2",
@@ -34,7 +34,7 @@ def derive(page):
     across = kappa * K * T * sin(HALF) * cos(HALF) + b * sine
     along = kappa * (K * T + 2 * B) * sin(HALF) ** 2 - b * cosine
     page.step(
-        "The walls that need the whole damping at an angle lie on a circle",
+        "The walls that require exactly the damping $b$ at an angle lie on a circle",
         4 * SHARE * sin(HALF) ** 2 * fractional.margin(),
         b**2 - across**2 - along**2,
         name=r"4\kappa\sin^2\psi\,\Bigl(b(b-n)-\tfrac\kappa4T^2|H|^2\Bigr)",
@@ -42,15 +42,14 @@ def derive(page):
         "$b/(\\kappa\\sin\\psi)$; a passive wall lies in the circles of all angles",
     )
     found = page.lemma(
-        "No passive wall is stiffer than the stiffest of a circle",
+        "No passive wall is stiffer than the stiffest wall of a circle",
         bounded_at_every_angle(),
         because="the first square is not above $b^2$, so that its root is not above $b$",
         boxed=True,
     )
     page.state(
         "fractional-stiffness-bound",
-        "behind a delay of $(\\ell+\\varepsilon)T$ every passive wall has, for all "
-        "$0<\\theta<\\pi$,",
+        r"with a delay of $(\ell+\varepsilon)T$ every passive wall has, for all $0<\theta<\pi$,",
         r"\varepsilon(1-\varepsilon) KT \sin\theta \leq 2b (1 - (1-\varepsilon) "
         r"\sin((\ell+1)\theta) - \varepsilon \sin((\ell+2)\theta))",
         claim=below_the_bound(),
@@ -60,8 +59,9 @@ def derive(page):
     allowed = SHARE * K * T * sin(theta) <= 2 * b * (1 - UP)
     page.settle("fractional-stiffness-bound", allowed, found, example=point)
     page.say(
-        "The least of these bounds is where its slope vanishes. The wall there is as stiff as the "
-        "bound says; that it is passive at the other angles, too, was compared, and is not proved."
+        "The smallest bound is at the angle at which its derivative vanishes. The wall there has "
+        "the stiffness of the bound. That it satisfies the condition at all other angles was "
+        "tested numerically, and is not proved."
     )
     page.step(
         "The slope of the bound has the sign of a sum",

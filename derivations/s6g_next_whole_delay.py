@@ -1,7 +1,8 @@
-r"""Is a wall passive at a fractional delay if it is at the next whole one?
+"""Is a wall passive at a fractional delay if it is passive at the next integer delay?
 
-The paper's formulas are exact for whole delays. If a fractional delay is never worse than the next
-whole one, rounding the delay up keeps what they say of whole delays. It is so for every wall.
+The paper's formulas are exact for integer delays. If passivity at the next integer delay implies
+passivity at a fractional delay, the formulas are safe with the delay rounded up. We prove this for
+every wall.
 """
 
 from symhaptic.book.lemmas.extent import weak_sine
@@ -15,15 +16,15 @@ from symhaptic.proof.theorems.familiar import polar
 
 def derive(page):
     page.say(
-        "As before let $\\psi=\\theta/2$, $u=KT/(2b)$ and $w=(B+KT/2)/b$, and $N=2(\\ell+2)$ for "
-        "the next whole delay $\\ell+1$. At one angle write $w=r\\sin\\kappa$ and "
-        "$u\\cot\\psi=r\\cos\\kappa$; for $K>0$ that is $|\\kappa|<\\frac\\pi2$."
+        r"As before let $\psi=\theta/2$, $u=KT/(2b)$ and $w=(B+KT/2)/b$, and $N=2(\ell+2)$ for "
+        r"the next integer delay $\ell+1$. At one angle write $w=r\sin\kappa$ and "
+        r"$u\cot\psi=r\cos\kappa$; for $K>0$ that is $|\kappa|<\frac\pi2$."
     )
     polar = {K: 2 * b * u / T, B: b * (w - u), theta: 2 * psi}
     turned = {u: r * cos(kappa) * tan(psi), w: r * sin(kappa)}
     need = passivity.dirichlet_form().subs(polar).subs(turned).subs(d, N / 2 - 1) / b
     page.step(
-        "The next whole delay needs one sine",
+        "The condition of the next integer delay contains one sine",
         need,
         r * sin(N * psi - kappa),
         name=r"\text{need}\big|_{d=\ell+1}/b",
@@ -31,7 +32,7 @@ def derive(page):
     )
     share = (fractional.margin() / b**2).subs(polar).subs(turned)
     page.step(
-        "The exact condition is between two sines, and a term more",
+        "The exact condition contains two sines and one more term",
         share.subs(l, N / 2 - 2).subs(kappa, N * psi - chi),
         1
         - r * ((1 - epsilon) * sin(chi - 2 * psi) + epsilon * sin(chi))
@@ -40,11 +41,10 @@ def derive(page):
         because="is $f\\ge0$",
     )
     page.say(
-        "Let the next whole delay be passive: $r\\sin\\chi\\le1$ at all angles. Where "
-        "$\\chi\\ge\\frac\\pi2$, look at the smaller angle $\\psi'$ with "
-        "$N\\psi'=\\frac\\pi2+\\kappa$. What is needed there, "
-        "$\\cos\\kappa\\,u\\cot\\psi'+w\\sin\\kappa$, is not less than the same with "
-        "$\\cot\\psi$, and that is $r$: so $r\\le1$."
+        r"Let the next integer delay be passive: $r\sin\chi\le1$ at all angles. Where "
+        r"$\chi\ge\frac\pi2$, look at the smaller angle $\psi'$ with $N\psi'=\frac\pi2+\kappa$. "
+        r"The required value there, $\cos\kappa\,u\cot\psi'+w\sin\kappa$, is not less than the "
+        r"same with $\cot\psi$, which is $r$: so $r\le1$."
     )
     page.lemma(
         "Where $\\chi\\ge\\frac\\pi2$ the margin is a sum of squares",
@@ -52,27 +52,27 @@ def derive(page):
         because="$r\\le1$",
     )
     page.lemma(
-        "Where $\\frac12\\psi\\le\\chi<\\frac\\pi2$ the margin is a sum of what is not negative",
+        r"Where $\frac12\psi\le\chi<\frac\pi2$ the margin is a sum of terms that are not negative",
         before(room(r * sin(N * psi - kappa))),
         because="$r\\sin\\chi\\le1$",
     )
     page.lemma(
-        "Where $\\chi<\\frac12\\psi$ the margin is one again",
+        r"Where $\chi<\frac12\psi$ the margin is again such a sum",
         low(room(r * sin(kappa))),
-        because="$\\kappa$ lies between $(N-\\frac12)\\psi$ and $\\frac\\pi2$, and at "
-        "$N\\psi=\\pi$ the whole delay needs $w=r\\sin\\kappa$, so that this is at most 1",
+        because=r"$\kappa$ lies between $(N-\frac12)\psi$ and $\frac\pi2$, and at $N\psi=\pi$ the "
+        r"integer delay requires $w=r\sin\kappa$, so that this is at most 1",
     )
     found = page.lemma(
-        "A delay that is rounded up to whole periods is on the safe side",
+        "Rounding the delay up to an integer is safe",
         safe_when_rounded_up(),
-        because="without stiffness the passive damping of every delay begins at $-b$, and that of "
-        "the next whole one ends at $b$",
+        because="without stiffness the passive damping begins at $-b$ for every delay, and ends at "
+        "$b$ for the next integer delay",
         boxed=True,
     )
     page.state(
         "fractional-next-whole",
-        "a wall that is passive for the whole delay $\\ell+1$ is passive for every delay between "
-        "$\\ell$ and $\\ell+1$",
+        r"a wall that is passive for the integer delay $\ell+1$ is passive for every delay "
+        r"between $\ell$ and $\ell+1$",
         claim=rounded_up(),
     )
     page.settle(
@@ -100,7 +100,7 @@ STIFF, DAMPED = 2 * b * r * cos(kappa) * tan(psi) / T, b * r * (sin(kappa) - cos
 """K and B of the wall."""
 POLAR = {K: STIFF, B: DAMPED, l: N / 2 - 2}
 NEXT = every_margin(l + 1).at(POLAR)
-"""It is passive at the next whole delay, as far as the angles say."""
+"""It is passive at the next integer delay, as far as the angles say."""
 LATE = MARGIN.xreplace({**POLAR, theta: 2 * psi})
 REST, LOSS = 1 - epsilon, epsilon * (1 - epsilon) * r**2 * sin(psi) ** 2
 SHARE = 1 - r * (REST * sin(CHI - 2 * psi) + epsilon * sin(CHI)) - LOSS
@@ -226,7 +226,7 @@ def _early() -> Theorem:
 
 @cache
 def at_one_angle() -> Theorem:
-    """0 <= margin over b^2 at an angle, from the margins of the next whole delay."""
+    """0 <= margin over b^2 at an angle, from the margins of the next integer delay."""
     late, early, first = beyond(_early()), before(_here()), low(_at_the_end())
     later = disj_cases(ordered(CHI, pi / 2), early, late)
     return disj_cases(ordered(CHI, psi / 2), first, later)
@@ -261,7 +261,7 @@ def _sprung() -> Theorem:
 
 
 def _margin() -> Theorem:
-    """0 <= margin of a wall with 0 < K at an angle, from those of the next whole delay."""
+    """0 <= margin of a wall with 0 < K at an angle, from those of the next integer delay."""
     along, across = K * T * cos(theta / 2) / (2 * b * sin(theta / 2)), (B + K * T / 2) / b
     one_, two = (assume(Eq(v, r * f(kappa))) for v, f in ((along, cos), (across, sin)))
     stiff, damped = (v.subs(psi, theta / 2) for v in (STIFF, DAMPED))
@@ -328,6 +328,6 @@ NOTHING = {K: S.Zero, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: HALF}
 
 @cache
 def nothing_is_passive() -> Theorem:
-    """No wall is passive one period late."""
+    """No wall is passive with one period of delay."""
     found = inst(all_between(), {s: v for s, v in {**NOTHING, epsilon: S.One}.items() if s != K})
     return Given().closed(found)

@@ -1,7 +1,8 @@
 r"""Which polynomial do the paper's curves for $d=1/4$ and $d=1/2$ belong to?
 
-With $d=r/q$ the paper turns $z^{-d}$ into a polynomial by substituting $z=\zeta^q$. Read to the
-letter, all its roots have to lie inside the unit circle, and that no wall of the figures can do.
+With $d=r/q$ the paper turns $z^{-d}$ into a polynomial by substituting $z=\zeta^q$. Taken
+literally, all its roots have to lie inside the unit circle, which is impossible for the walls of
+the figures.
 """
 
 from symhaptic.book.lemmas.chords import PI
@@ -15,24 +16,24 @@ from symhaptic.proof.theorems.roots import opposite
 
 def derive(page):
     page.say(
-        "In $\\zeta$ the polynomial is $\\zeta^{q+r}A(\\zeta^q)+N(\\zeta^q)"
-        "((\\alpha+\\beta)\\zeta^q-\\beta)$, of degree $3q+r$. Each of the $q$ sheets sees the "
-        "wall turned by another multiple of $2\\pi d$. Let $q$ be even, as in all fractions of the "
-        "paper. Then $r$ is odd, and at $\\zeta=-1$ is $z=1$ while $z^d=-1$: a sheet with "
-        "the wall reversed."
+        r"In $\zeta$ the polynomial is "
+        r"$\zeta^{q+r}A(\zeta^q)+N(\zeta^q)((\alpha+\beta)\zeta^q-\beta)$, of degree $3q+r$. On "
+        r"each of the $q$ sheets the wall has another phase, a multiple of $2\pi d$. Let $q$ be "
+        r"even, as in all fractions of the paper. Then $r$ is odd, and at $\zeta=-1$ is $z=1$ "
+        "while $z^d=-1$: on this sheet the wall has the opposite sign."
     )
     static, total = device_static(assume(DEVICE)), n_1 + n_0
     for power, wall, title, because in (
         (
             1,
             gamma + alpha,
-            "At $\\zeta=1$ the polynomial has the wall added to the spring",
+            r"At $\zeta=1$ the polynomial is a multiple of $\gamma+\alpha$",
             "positive if all roots are inside",
         ),
         (
             -1,
             alpha - gamma,
-            "At $\\zeta=-1$ the polynomial has the spring taken from the wall, for even $q$",
+            r"At $\zeta=-1$ the polynomial is a multiple of $\alpha-\gamma$, for even $q$",
             "negative if so, since the degree $3q+r$ is odd",
         ),
     ):
@@ -44,15 +45,15 @@ def derive(page):
 
 def settle_literal(page):
     found = page.lemma(
-        "To the letter the spring of the device bounds a stable wall, if $q$ is even",
+        "Taken literally, a stable wall is bounded by the spring of the device if $q$ is even",
         within_the_spring(),
         because="all zeros of $p_1(-\\zeta)$ lie inside, too, so that both values above have the "
         "sign of the highest power",
     )
     page.state(
         "fractional-literal",
-        "to the letter, for even $q$, a wall is stable only if $|\\alpha|<\\gamma$: never without "
-        "a physical spring",
+        r"taken literally, for even $q$, a wall is stable only if $|\alpha|<\gamma$: never "
+        "without a physical spring",
         claim=only_within_the_spring(),
     )
     idle = {alpha: HALF / 5, beta: HALF / 5, gamma: S.One, delta: S.One, p: S.Zero, q: S.Zero}
@@ -62,24 +63,24 @@ def settle_literal(page):
 
 def settle_figures(page):
     page.say(
-        "In Fig. 11 $\\gamma=0.001$, $\\delta=0.02$, and the text says that the passive regions "
-        "lie inside the stable ones. By (11) they reach to $\\alpha=0.023$ for $d=\\frac12$, 23 "
-        "times as far as the stable walls of this reading could, and for $d=\\frac14$ farther "
-        "still. Sec. V-C speaks of walls that are stable for all $\\gamma\\ge0$; to the letter "
-        "there is none at $\\gamma=0$."
+        r"In Fig. 11 $\gamma=0.001$, $\delta=0.02$, and the text says that the passive regions "
+        r"lie inside the stable ones. By (11) they extend to $\alpha=0.023$ for $d=\frac12$, 23 "
+        r"times as far as the stable walls of this reading, and farther for $d=\frac14$. Sec. V-C "
+        r"is about walls that are stable for all $\gamma\ge0$; in this reading there is none at "
+        r"$\gamma=0$."
     )
     page.state(
         "fractional-figures",
         "the curves of Fig. 11 and Fig. 13 for fractional delays are not those of the polynomial "
-        "read to the letter: in Fig. 11 a wall that meets (5) would not be stable, and in Fig. 13 "
+        "taken literally: in Fig. 11 a wall that meets (5) would not be stable, and in Fig. 13 "
         "no wall would be",
         claim=not_those_drawn(),
     )
     page.settle(
         "fractional-figures",
         drawn_otherwise(),
-        note="Fig. 4 is (7), the principal sheet; whether the others are drawn from it or from "
-        "the exact plant cannot be told from the text",
+        note="Fig. 4 is (7), the principal sheet; the text does not say whether the others are "
+        "drawn from it or from the exact plant",
     )
 
 

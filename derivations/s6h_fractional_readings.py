@@ -1,7 +1,7 @@
-r"""What does the principal sheet of $z^{-d}$ say of a stiff spring?
+r"""Is the principal sheet of $z^{-d}$ right for a stiff spring?
 
-Of the roots of the polynomial in $\zeta$, $z=\zeta^q$, only those may be meant whose $\zeta$ is the
-principal root of $z$. That is not the delayed force either, and we ask how far it is from it.
+The paper may mean only those roots of the polynomial in $\zeta$, $z=\zeta^q$, for which $\zeta$ is
+the principal root of $z$. This differs from a delayed force, too, and we ask by how much.
 """
 
 from symhaptic.book.figures.fractional import stable_readings
@@ -11,9 +11,9 @@ from symhaptic.book.lemmas.principal import both_errors, read_wrongly
 
 def derive(page):
     page.say(
-        "For soft springs the principal sheet is close to the truth, as for the free mass. But "
-        "Fig. 13 goes up to the Nyquist frequency. Take $\\sqrt\\gamma=\\frac23\\pi$, "
-        "$\\delta=0$, $d=\\frac12$, and $x=\\alpha/\\gamma$, $y=\\beta/\\gamma$:"
+        "For soft springs the principal sheet is close to the exact polynomial, as for the free "
+        r"mass. But Fig. 13 goes up to the Nyquist frequency. Take $\sqrt\gamma=\frac23\pi$, "
+        r"$\delta=0$, $d=\frac12$, and $x=\alpha/\gamma$, $y=\beta/\gamma$:"
     )
     swinging = plant.normalised(Parts(damping=False))
     spring = {gamma: 4 * pi**2 / 9}
@@ -25,46 +25,47 @@ def derive(page):
     letter = zeta**3 * (zeta**4 + zeta**2 + 1) + 3 * (zeta**2 + 1) / 2 * there
     made = fractional.characteristic(Parts(damping=False), HALF).subs(l, 0)
     made = made.subs({alpha: x * gamma, beta: y * gamma}).subs(spring)
-    page.step("The true polynomial has four roots", made, exact, name="p_1(z)")
+    page.step("The exact polynomial has four roots", made, exact, name="p_1(z)")
     theirs = zeta**3 * device.denominator + device.numerator * gamma * there
     page.step(
-        "The paper's has seven, with $\\zeta=\\sqrt z$",
+        r"The paper's polynomial has seven, with $\zeta=\sqrt z$",
         theirs.subs(z, zeta**2).subs(spring),
         letter,
         name=r"p_1(\zeta)",
     )
     page.step(
-        "The true one has a root at $-1$ on a line",
+        "The exact polynomial has a root at $-1$ on a line",
         exact.subs(z, -1),
         1 + x + 2 * y,
         name="p_1(-1)",
         because="the region ends at the line $x+2y=-1$",
     )
     page.step(
-        "The paper's has none at $z=-1$",
+        "The paper's polynomial has no root at $z=-1$",
         letter.subs(zeta, I),
         -I,
         name=r"p_1(\zeta)\big|_{\zeta=j}",
-        because="never zero: this border is missing. So it is for every device and fractional "
-        "$d$, as the imaginary part is $\\pm(1+a+e)\\sin\\pi d$",
+        because="never zero, so that this border is missing. The same is true for every device and "
+        r"fractional $d$, as the imaginary part is $\pm(1+a+e)\sin\pi d$",
     )
     found = page.lemma(
-        "Both errors occur: a wall that is stable on the principal sheet alone, and one in truth",
+        "Both errors occur: one wall is stable on the principal sheet only, and one is not "
+        "stable on it but stable",
         both_errors(),
         because="by balls around all roots, of which the sheet has those with $\\Re\\zeta>0$",
         boxed=True,
     )
     page.state(
         "fractional-principal",
-        "for a stiff spring, $\\sqrt\\gamma=\\frac23\\pi$ and half a period late, the principal "
-        "sheet calls walls stable that are not, and others unstable that are stable",
+        r"for a stiff spring, $\sqrt\gamma=\frac23\pi$ and with a delay of half a period, the "
+        "principal sheet calls walls stable that are not, and others unstable that are stable",
         claim=read_wrongly(),
     )
     page.settle("fractional-principal", found)
     page.figure(
         "stable-fractional",
-        "Stable walls half a period late, for a stiff spring with some damping "
-        "($\\gamma=4\\pi^2/9$, $\\delta=\\frac12$): exact (shaded), on the principal sheet, and "
-        "for all sheets, where the wall and its negative have to be stable on the principal one.",
+        "Stable walls with a delay of half a period, for a stiff spring with some damping "
+        r"($\gamma=4\pi^2/9$, $\delta=\frac12$): exact (shaded), on the principal sheet, and for "
+        "all sheets, where the wall and its negative have to be stable on the principal one.",
         stable_readings,
     )

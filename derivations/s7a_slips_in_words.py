@@ -1,14 +1,14 @@
-r"""Where does the text name one thing and mean another?
+"""Which names and numbers in the text are wrong?
 
-Some slips of the text change no formula: a wrong section, a wrong panel, a wrong name. The paper's
-own lists, its sections, tables, captions and references, show what is meant.
+Some errors of the text change no formula: a wrong section, panel or name. The paper's sections,
+tables, captions and references show what is meant.
 """
 
 
 def derive(page):
     page.say(
-        "These entries compare one place of the text with another. They are no theorems and are "
-        "not counted as theorems."
+        "These entries compare one place of the text with another. They are not theorems and are "
+        "not counted as such."
     )
     page.say("Section IV is headed Stability. The conclusion is Section VI.")
     page.settle_slip(
@@ -31,8 +31,8 @@ def derive(page):
         "s5b-captions-alike",
         "(c) Relation of maximum virtual stiffness",
         r"\text{each with the delays for which it is drawn}",
-        "two plots with one text; Sec. V-B says that their scales of the delay differ; possibly of "
-        "the conversion of the text",
+        "two plots with the same caption; Sec. V-B says that their delay axes differ; possibly "
+        "an error of the text conversion",
     )
     page.say(
         "By Table I, $K$ is the virtual stiffness and $B$ the virtual damping. A bound that is "

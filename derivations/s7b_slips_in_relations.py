@@ -11,9 +11,8 @@ from symhaptic.paper.propositions.slips import END, ENDS, below, within
 
 def derive(page):
     page.say(
-        "A number is not below an interval. (30) is $\\gamma\\le\\pi^2+\\frac14\\delta^2$, and it "
-        "is the right side that lies in the interval. Neither end of it will do for every "
-        "$\\delta$."
+        r"The right side of (30), $\gamma\le\pi^2+\frac14\delta^2$, lies in the interval. Neither "
+        r"end of the interval is right for every $\delta$."
     )
     page.step(
         "At the end of the range",

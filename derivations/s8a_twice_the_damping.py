@@ -1,7 +1,7 @@
-r"""Is a wall stable whose stiffness is at most twice the damping over the period?
+"""Is a wall stable whose stiffness is at most twice the damping over the period?
 
-Colgate and Schenkel found this limit of a passive wall without delay, for a wall without virtual
-damping. It is used for walls with a delay, too. For which is it safe?
+Colgate and Schenkel derived this passivity limit for a wall without virtual damping and delay. The
+rule is also used for walls with a delay. For which walls is it safe?
 """
 
 from symhaptic.book.lemmas.circulation import outside, twice_the_damping
@@ -20,19 +20,20 @@ def derive(page):
         boxed=True,
     )
     page.say(
-        "One period of delay leaves 41 per cent of this stiffness to a passive wall. With "
-        "$m=T=1$, $b=\\frac12$ and one period of delay the wall $K=1$ is not even stable."
+        r"One period of delay leaves 41\,\% of this stiffness to a passive wall. With $m=T=1$, "
+        r"$b=\frac12$ and one period of delay the wall $K=1$ is not even stable."
     )
     still = {B: S.Zero, k: S.Zero, T: S.One, m: S.One, K: S.One, b: S.Half}
     late = {alpha: S.One, beta: S.Zero, gamma: S.Zero, delta: S.Half, d: S.One}
     page.lemma(
-        "One period late the wall $K=1$ of $b=\\frac12$, $m=T=1$ is not stable", outside(late)
+        r"With one period of delay the wall $K=1$ of $b=\frac12$, $m=T=1$ is not stable",
+        outside(late),
     )
     page.settle(
         RULE,
         found,
         example=still | {d: S.Zero},
         unless={Eq(d, 0): (still | {d: S.One}, outside(late))},
-        shows="$m=T=1$, $b=\\tfrac12$: the wall $K=2b/T$ is unstable one period late",
-        note="safe without delay for every mass and every hand, and passive too",
+        shows=r"$m=T=1$, $b=\tfrac12$: the wall $K=2b/T$ is unstable with one period of delay",
+        note="safe without delay for every mass and every arm, and passive",
     )

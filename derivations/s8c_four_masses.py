@@ -1,7 +1,7 @@
 r"""Is a wall stable whose stiffness is below four or two masses over the squared period?
 
-Both rules know the mass and the period, and neither damping nor delay. We hold them against the
-plainest device that they could be meant for, a free mass without delay.
+Both rules depend on the mass and the period, and neither on damping nor on delay. We test them with
+the simplest device, a free mass without delay.
 """
 
 from symhaptic.book.lemmas.circulation import NOTHING, never_undamped, outside
@@ -16,7 +16,8 @@ def derive(page):
     found = page.lemma(
         "Without any damping no stiffness is stable, however small",
         never_undamped(),
-        because="the force of a spring is half a period late on average, and a late spring drives",
+        because="the hold delays the force of a spring by half a period on average, and a delayed "
+        "spring adds energy",
         boxed=True,
     )
     page.lemma("The wall $K=1$ of $m=T=1$ has a root outside the circle", outside(ROOTS))
@@ -30,5 +31,5 @@ def derive(page):
             misprint=False,
             example=WALL,
             unless=[(WALL, outside(ROOTS))],
-            shows="a free mass with $m=T=1$: already $K=1$ swings up",
+            shows="a free mass with $m=T=1$: $K=1$ is already unstable",
         )

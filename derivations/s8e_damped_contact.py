@@ -14,20 +14,22 @@ WALL = {K: S.One, B: S.One, T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero}
 
 def derive(page):
     [right] = read(RIGHT)
-    page.lemma("A wall of a free mass without delay is stable by four inequalities", free_mass())
+    page.lemma(
+        "Without delay a wall with a free mass is stable if four inequalities hold", free_mass()
+    )
     found = page.lemma(
-        "Below a stiffness that the virtual damper sets a free mass is stable",
+        "A free mass is stable below a stiffness that depends on the virtual damping",
         damped_contact(right),
         because="the last inequality is the rule, and the others follow",
         boxed=True,
     )
     page.say(
-        "As it is written the rule subtracts a damping, $B^2T/(2m)$, from a stiffness: its number "
-        "depends on the unit of time. Even with $B^2/(2m)$, which has the unit of a stiffness, it "
-        "allows more than is stable:"
+        "As published the rule subtracts a damping, $B^2T/(2m)$, from a stiffness: its number "
+        "depends on the unit of time. Even with $B^2/(2m)$, which has the unit of a stiffness, "
+        "it allows more than is stable:"
     )
     page.step(
-        "With the unit mended the rule allows too much",
+        "With consistent units the rule allows too much",
         2 * B / T - B**2 / (2 * m) - right.rhs,
         B**2 * (6 * m - B * T) / (2 * m * (2 * m + B * T)),
         because="positive wherever it allows anything, $BT<4m$",

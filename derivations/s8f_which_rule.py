@@ -1,7 +1,7 @@
-r"""Which rule should one use, and when?
+"""Which rule should one use, and when?
 
-The rules of this part, beside the exact limits of this book, by what one has to know. All of them
-are for a wall that pushes, $K>0$, and every one in the table is safe as it stands there.
+This table lists the rules of this part and the exact limits of this book, by the parameters that
+they require. All are for $K>0$, and every one is safe in the stated range.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -9,12 +9,13 @@ from symhaptic.book.lemmas.prelude import *
 
 def derive(page):
     page.say(
-        "Who knows the damping of the device, and nothing of mass, spring and hand, stays passive. "
-        "What is passive is stable with every hand. Who knows the mass as well may go further, "
-        "and then has to know the delay, too: every limit falls with it."
+        "If only the damping of the device is known, use a passive wall, which is stable with "
+        "every arm. If the mass is known as well, a stiffer wall is possible, but its limit "
+        "depends on the delay."
     )
     page.table(
-        "From the plainest to the largest; $b$ is the damping of the device, and $d=t_d/T$ whole.",
+        "From the simplest rule to the largest limit; $b$ is the damping of the device, and "
+        "$d=t_d/T$ is an integer.",
         ["known", "delay", "virtual damping", "limit of the stiffness"],
         [
             ["$b$, $T$", "none", "$B=0$", "$K\\le2b/T$"],
@@ -36,9 +37,9 @@ def derive(page):
         (2 * b / T * tan(pi / (4 * (d + 1)))).subs(undelayed),
         2 * b / T,
         name=K,
-        because="there the rule is the largest that a passive wall can have",
+        because="there the rule is the largest passive stiffness",
     )
     page.say(
-        "A multiple of $m/T^2$ is never a limit by itself: without damping no stiffness is stable. "
-        "The exact boundary is drawn and searched by the functions of this package."
+        "A multiple of $m/T^2$ is never a limit by itself: without damping no stiffness is "
+        "stable. The functions of this package compute the exact boundary."
     )

@@ -1,9 +1,8 @@
-r"""Is the device that is computed the device that is derived?
+"""Are the computed coefficients of the device the derived ones?
 
-The numbers of the sampled device are quotients that are 0/0 without a spring and at critical
-damping, and that lose digits near by. What is computed is made of entire functions, which have
-power series everywhere. Both are held against each other, the number that is computed beside the
-number that was derived.
+The coefficients of the sampled device are quotients that are 0/0 without a spring and at critical
+damping, and lose digits near these cases. The computed form consists of entire functions, which
+have power series everywhere. We prove that both forms are equal.
 """
 
 from symhaptic.book.lemmas.computed import settle, upright
@@ -29,21 +28,21 @@ from symhaptic.forms.entire import (
 )
 
 OWN = (
-    (PlantN1, "A function is the way under a force that is held for a period"),
-    (PlantN0, "A function is the way that this force leaves for the period after it"),
-    (PlantTrace, "A function is the sum of the poles of the sampled device"),
-    (NumeratorAtOne, "A function is what both ways are together"),
-    (DenominatorAtMinusOne, "A function is the denominator at $z=-1$"),
-    (NumeratorGap, "A function is what both ways are apart, over the damping"),
+    (PlantN1, "The displacement under a force that is held for a period"),
+    (PlantN0, "The further displacement in the next period"),
+    (PlantTrace, "The sum of the poles of the sampled device"),
+    (NumeratorAtOne, "The sum of both displacements"),
+    (DenominatorAtMinusOne, "The denominator at $z=-1$"),
+    (NumeratorGap, "The difference of both displacements over the damping"),
 )
 NUMBERS = (
-    (0, n_1, S.One, PlantN1, "The way under the force is computed by the first of them"),
-    (1, n_0, S.One, PlantN0, "The way that is left is computed by the second"),
-    (2, a, S.One, PlantTrace, "The sum of the poles is computed by the third"),
-    (4, "1-a+e", gamma, NumeratorAtOne, "At $z=1$ the denominator has the spring in it"),
+    (0, n_1, S.One, PlantN1, "$n_1$ is computed by the first function"),
+    (1, n_0, S.One, PlantN0, "$n_0$ is computed by the second function"),
+    (2, a, S.One, PlantTrace, "$a$ is computed by the third function"),
+    (4, "1-a+e", gamma, NumeratorAtOne, r"At $z=1$ the denominator contains the factor $\gamma$"),
     (5, "1+a+e", S.One, DenominatorAtMinusOne, "At $z=-1$ the denominator is a product"),
     (7, "n_1+n_0", S.One, NumeratorAtOne, "At $z=1$ the numerator is a product over the spring"),
-    (8, "n_1-n_0", delta, NumeratorGap, "At $z=-1$ the numerator has the damper in it"),
+    (8, "n_1-n_0", delta, NumeratorGap, r"At $z=-1$ the numerator contains the factor $\delta$"),
 )
 """Their places among the numbers of a device, and how they are computed."""
 GIVEN = {gamma: SPRING}
@@ -51,10 +50,10 @@ GIVEN = {gamma: SPRING}
 
 def derive(page):
     page.say(
-        "Let $c=\\sqrt{\\delta^2-4\\gamma}$ be the difference of the poles of the device, so that "
-        "$\\gamma=(\\delta^2-c^2)/4$. Six functions of $\\gamma$ and $\\delta$ are computed. Each "
-        "is even in $c$, so that it does not matter which root is meant, and no pole is left in "
-        "any of them: where the formula divides by zero, the function has its limit."
+        r"Let $c=\sqrt{\delta^2-4\gamma}$ be the difference of the poles of the device, so that "
+        r"$\gamma=(\delta^2-c^2)/4$. Six functions of $\gamma$ and $\delta$ are computed. Each is "
+        "even in $c$, so that the sign of the root does not matter, and none has a pole: where "
+        "the formula divides by zero, the function has its limit."
     )
     page.define("The spring by the difference of the poles", gamma, SPRING)
     for own, title in OWN:
@@ -70,18 +69,18 @@ def derive(page):
         page.same(title, computed()[place].xreplace(GIVEN), derived.xreplace(GIVEN))
         page.step(title, derived, factor * upright(own(gamma, delta)), name=left)
     page.say(
-        "Digits are kept by the functions, and not by these formulas. Where $\\gamma$ and "
-        "$\\delta$ are near $10^{-6}$, the numerator of PlantN1 is a difference of numbers next "
-        "to 1 that is itself next to $\\gamma/2$, and of sixteen digits nine or ten are left; its "
-        "power series begins with $\\frac12$ and loses none. In the same way $1-a+e$ is no sum of "
-        "numbers near 1, $-2$ and 1, $n_1-n_0$ is no difference of two numbers near $\\frac12$, "
-        "and $1-e$ is computed as $\\delta$ times the function that follows."
+        r"The functions are accurate, and these formulas are not. For $\gamma$ and $\delta$ near "
+        "$10^{-6}$ the numerator of PlantN1 is a difference of numbers near 1 of the size "
+        r"$\gamma/2$, so that nine or ten of sixteen digits remain; the power series begins with "
+        r"$\frac12$ and loses none. In the same way $1-a+e$ is not computed as a sum of numbers "
+        r"near 1, $-2$ and 1, and $n_1-n_0$ not as a difference of two numbers near $\frac12$. "
+        r"$1-e$ is computed as $\delta$ times the following function."
     )
     loss, free = Decay.definition(delta), Creep.definition(delta)
-    page.define("A function is the loss of speed over the damping", upright(Decay(delta)), loss)
+    page.define("The loss of speed over the damping", upright(Decay(delta)), loss)
     page.limit("Without a damper it is 1", loss, delta, S.Zero, S.One, name=upright(Decay(delta)))
     page.limit(
-        "Without a spring the way under a force is that of a mass with a damper",
+        "Without a spring $n_1$ is that of a mass with a damper",
         computed()[0].xreplace(GIVEN),
         c,
         delta,
@@ -89,7 +88,7 @@ def derive(page):
         name=upright(PlantN1(gamma, delta)),
         because="so that $\\gamma$ tends to 0",
     )
-    page.limit("Of a free mass this way is one half", free, delta, S.Zero, S.Half)
+    page.limit(r"For a free mass $n_1=\frac12$", free, delta, S.Zero, S.Half)
     critical = plant.sampled(plant.Plant(S.One, delta, delta**2 / 4)).n1
     page.limit(
         "At critical damping $n_1$ is that of the device with a double pole",
@@ -103,12 +102,13 @@ def derive(page):
         page,
         "discretize",
         (DISCRETE,),
-        "the computed numbers $n_1$, $n_0$, $a$ and $e$ of the device are those of its transition "
-        "matrix, wherever nothing in either is divided by zero",
+        "the computed numbers $n_1$, $n_0$, $a$ and $e$ of the device are those of its "
+        "transition matrix, wherever neither form divides by zero",
     )
     page.say(
-        "The coefficients of the characteristic polynomial are made of these four numbers, as in "
-        "(18). They are computed for one whole delay at a time; the theorem has $d=2$."
+        "The coefficients of the characteristic polynomial are polynomials in these four "
+        "numbers, as in (18). They are computed for one integer delay at a time; the theorem has "
+        "$d=2$."
     )
     settle(
         page,
@@ -123,15 +123,15 @@ def derive(page):
 def _conditions(page):
     q, loss = symbols("q L")
     page.say(
-        "Verdicts are computed from the same numbers. The inequalities of Jury are those of a "
-        "polynomial whose coefficients are made of $L=1-e$ and of $q=1-a+e$:"
+        "Verdicts are computed from the same numbers. Jury's inequalities are computed from "
+        "$L=1-e$ and $q=1-a+e$:"
     )
     page.step(
-        "The denominator is made of the loss and of its value at 1",
+        "The denominator as a function of the loss $L$ and of its value $q$ at 1",
         z**2 - (2 - loss - q) * z + 1 - loss,
         (z - 1) ** 2 + (loss + q) * (z - 1) + q,
-        because="of a slow device both numbers are small, and $a$ and $e$, near 2 and 1, would "
-        "keep few of their digits",
+        because="for low frequencies both numbers are small, and $a$ and $e$, near 2 and 1, would "
+        "lose most of their digits",
     )
     settle(
         page,

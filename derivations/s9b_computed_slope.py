@@ -1,7 +1,7 @@
-r"""Does the search for the stiffest stable wall go by the slope that is derived?
+"""Does the search for the stable wall of maximum stiffness go by the slope that is derived?
 
-On the explicit boundary the stiffness rises from the origin to a maximum. The search for it asks
-for the sign of a slope, which is computed as a sum of products.
+On the explicit boundary the stiffness rises from the origin to a maximum. The search uses the sign
+of the derivative, which is computed as a sum of products.
 """
 
 from symhaptic.book.lemmas import stable_slope
@@ -10,15 +10,14 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_slope import EARLY, SEARCHED, UNDELAYED
 
 DEVICE = Sampled(n_1, n_0, a, e)
-UNDEFINED = "wherever nothing in either is divided by zero"
+UNDEFINED = "wherever neither form divides by zero"
 
 
 def derive(page):
     page.say(
-        "The stiffest stable wall is searched for where $\\alpha$ no longer rises on the boundary. "
-        "There $\\alpha=\\Re Q-t\\,\\Im Q$ with $t=\\tan(\\theta/2)$, so that its slope hangs on "
-        "$Q$ and on how $Q$ turns: with $Q'$ for the derivative by the angle it is "
-        "$\\Re Q'-t\\,\\Im Q'-(1+t^2)\\,\\Im Q/2$."
+        r"The search looks for the angle at which $\alpha$ stops increasing along the boundary. "
+        r"With $\alpha=\Re Q-t\,\Im Q$, $t=\tan(\theta/2)$ and the derivative $Q'$ with respect "
+        r"to the angle the slope is $\Re Q'-t\,\Im Q'-(1+t^2)\,\Im Q/2$."
     )
     names, slope = stable_slope.derived(n_1 * z + n_0, d, 0)
     meaning = dict(names)
@@ -27,19 +26,18 @@ def derive(page):
     derived = boundary.wall(DEVICE)[0].diff(theta)
     page.same("slope", derived, slope.xreplace({t: tan(theta / 2)}))
     page.say(
-        "What the search asks for is the sign of a sum of products, which is the slope times a "
-        "positive number: of $A$ and of $M$ only their values at 1 and $-1$, $A_1$, $A_2$, "
-        "$M_1$ and $M_2$, and $L=1-e$. A quotient would be 0/0 where the boundary begins; a "
-        "difference of two stiffnesses, as in a search without the slope, would lose half of the "
-        "digits at the maximum, where both are alike. For delays below one period, and without "
-        "any, the slope is a polynomial in $t^2$, and its coefficients need no sines. That its "
-        "first zero is the farthest point of the stable region is another matter: it is compared "
-        "with whole regions, and proved for some devices only, in "
-        "\\chapter{s5b_stiffest_wall}."
+        "The search computes the slope times a positive number as a sum of products. It contains "
+        "the values of $A$ and $M$ at 1 and $-1$, $A_1$, $A_2$, $M_1$ and $M_2$, and $L=1-e$. A "
+        "quotient would be 0/0 where the boundary begins; a difference of two stiffnesses, as in "
+        "a search without the slope, would lose half of the digits at the maximum, where both "
+        "are nearly equal. For delays below one period, and without any, the slope is a "
+        "polynomial in $t^2$, and its coefficients need no sines. That its first zero is the "
+        "point of maximum stiffness of the stable region is tested with whole regions, and "
+        r"proved for some devices only, in \chapter{s5b_stiffest_wall}."
     )
     c, tangent, bottom = cos(theta / 2), tan(theta / 2), on_circle(z**2 - a * z + e)
     page.step(
-        "What the slope is multiplied by is positive where $A$ and $M$ do not vanish",
+        "The factor of the slope is positive where $A$ and $M$ do not vanish",
         bottom * bottom.xreplace({I: -I}),
         c**4 * ((1 - a + e - (1 + a + e) * tangent**2) ** 2 + 4 * tangent**2 * (1 - e) ** 2),
         name="|A|^2",

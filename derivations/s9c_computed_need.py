@@ -1,8 +1,8 @@
-r"""Is the damping that is computed for a wall the damping that is derived?
+"""The computed required damping equals the derived one
 
-What a wall needs at an angle is a quotient of sines that is 0/0 for slow motions, and its slope is
-a difference of such quotients. Both are computed with functions that have no pole there, and whose
-products with the delay are not rounded.
+The required damping at an angle is a quotient of sines that is 0/0 at the angle 0, and its slope is
+a difference of such quotients. Both are computed with functions that have no pole there, without
+rounding the product of angle and delay.
 """
 
 from symhaptic.book.lemmas.computed import settle, upright
@@ -13,10 +13,10 @@ from symhaptic.forms.entire import Chord, CosNext, Sinc, SinNext, Spread
 
 UNITS = {K: alpha, B: beta, T: S.One, b: delta}
 TURNED = (
-    (CosNext, "A function is the cosine of the angle that the delay and a period turn"),
-    (SinNext, "A function is the sine of this angle"),
-    (Spread, "A function is how far two sines are spread"),
-    (Chord, "A function is how far a sine is from its chord"),
+    (CosNext, r"The cosine of $(d+1)\theta$"),
+    (SinNext, r"The sine of $(d+1)\theta$"),
+    (Spread, "The function Spread, a difference of two sines"),
+    (Chord, "The function Chord, the distance of a sine from its chord"),
 )
 FIRST = {
     Spread: (d + 1) * (2 * d + 1) * (2 * d + 3) / 3,
@@ -27,13 +27,15 @@ FIRST = {
 
 def derive(page):
     page.say("Five functions are computed, one of an angle, and four of a delay and an angle:")
-    page.define("A function is a sine over its angle", upright(Sinc(psi)), Sinc.definition(psi))
+    page.define(
+        "The function Sinc, a sine over its angle", upright(Sinc(psi)), Sinc.definition(psi)
+    )
     for of, title in TURNED:
         page.define(title, upright(of(d, theta)), of.definition(d, theta))
     page.say(
-        "Where they are divided by the angle they are not divided by zero: at the angle 0 each has "
-        "its limit. The numerators of the last two are differences of sines that agree up to the "
-        "third power of the angle; at $\\theta=10^{-5}$ not one of sixteen digits would be left."
+        "At the angle 0 each function has its limit. The numerators of the last two are "
+        "differences of sines that cancel up to the third power of the angle; at "
+        r"$\theta=10^{-5}$ none of sixteen digits would remain."
     )
     for of, first in FIRST.items():
         page.limit(
@@ -50,13 +52,13 @@ def derive(page):
 
 def _at_an_angle(page):
     page.say(
-        "For a whole delay (5) gives the margin at one angle. The sine in it, of "
-        "$(d+\\frac12)\\theta$, is computed as that of $2d+1$ half angles, whose product is not "
+        "For an integer delay (5) gives the margin at one angle. The sine in it, of "
+        r"$(d+\frac12)\theta$, is computed as that of $2d+1$ half angles, whose product is not "
         "rounded:"
     )
     margin = passivity.margin().xreplace(UNITS)
     page.step(
-        "The margin at an angle has two functions",
+        "The margin at an angle contains two functions",
         margin,
         delta
         - alpha * upright(SinNext(2 * d, theta / 2)) / (2 * sin(theta / 2))
@@ -64,55 +66,56 @@ def _at_an_angle(page):
         name=r"\delta-\delta_\mathrm{min}",
     )
     page.say(
-        "For a delay of $\\ell+\\varepsilon$ periods the need $n$ of a straight motion is the mean "
-        "over the whole delays $\\ell$ and $\\ell+1$. One sine and one cosine of "
-        "$(\\ell+1)\\theta$ are enough for it:"
+        r"For a delay of $\ell+\varepsilon$ periods the damping $n$ that a motion with $q=0$ "
+        r"requires is the mean of those for the integer delays $\ell$ and $\ell+1$. One sine and "
+        r"one cosine of $(\ell+1)\theta$ are sufficient:"
     )
     page.step(
-        "The need of a straight motion has one sine and one cosine",
+        "The required damping for $q=0$ contains one sine and one cosine",
         fractional.required_straight().xreplace(UNITS),
         upright(required_damping.straight_at()),
         name="n",
     )
     page.say(
-        "All motions need the positive solution $b$ of "
-        "$b^2-bn-\\tfrac14\\varepsilon(1-\\varepsilon)s=0$, where $s$ is the square of the wall's "
-        "size. The margin is $\\delta-b$."
+        "The required damping for all motions is the positive solution $b$ of "
+        r"$b^2-bn-\tfrac14\varepsilon(1-\varepsilon)s=0$, where $s$ is the square of the wall's "
+        r"size. The margin is $\delta-b$."
     )
     settle(
         page,
         "passivity_margin_at",
         (MARGIN,),
-        "the computed margin at an angle is the derived one: (5) for whole delays, and the margin "
-        "of the worst motion for delays with a fraction",
+        "the computed margin at an angle is the derived one: (5) for integer delays, and the "
+        "margin of the worst motion for delays with a fraction",
     )
 
 
 def _at_the_worst(page):
     page.say(
-        "The worst angle is searched for, up to the angle 0, with $\\psi=\\theta/2$. There the "
-        "need of a straight motion is a quotient of two Sinc, and its derivative by $\\psi$ is "
-        "$\\psi$ times a number that does not vanish with the angle, so that its sign is known "
-        "next to 0, too:"
+        r"The worst angle is searched for, up to the angle 0, with $\psi=\theta/2$. There the "
+        "required damping for $q=0$ is a quotient of two Sinc, and its derivative with respect "
+        r"to $\psi$ is $\psi$ times a number that does not vanish with the angle, so that its "
+        "sign is computed accurately near 0, too:"
     )
     whole = straight(l)
     page.step(
-        "The need of a straight motion has no pole at the angle 0",
+        "The required damping for $q=0$ has no pole at the angle 0",
         whole,
         upright(required_damping.straight(l)),
         name="n",
     )
     page.step(
-        "Its slope has the angle as a factor",
+        r"Its slope contains the factor $\psi$",
         whole.diff(psi),
         upright(psi * required_damping.steepness(l)),
         name=r"\frac{dn}{d\psi}",
     )
     page.say(
-        "Behind $\\ell+\\varepsilon$ periods $n$ is the mean over the two whole delays beside, and "
-        "all motions need the positive root of $b^2-bn-\\varepsilon(1-\\varepsilon)s/4$, with the "
-        "square $s=\\alpha^2+4\\beta(\\alpha+\\beta)\\sin^2\\psi$ of the wall's size. The squares "
-        "of $s$ are computed so that each of them is positive:"
+        r"With a delay of $\ell+\varepsilon$ periods $n$ is the mean of those for the two "
+        "neighbouring integer delays, and the required damping is the positive root of "
+        r"$b^2-bn-\varepsilon(1-\varepsilon)s/4$, with the square "
+        r"$s=\alpha^2+4\beta(\alpha+\beta)\sin^2\psi$ of the wall's size. $s$ is computed as a "
+        "sum of positive terms:"
     )
     size = fractional.stiffness_squared(2 * psi).xreplace(UNITS)
     page.step(
@@ -125,7 +128,6 @@ def _at_the_worst(page):
         page,
         "passivity_margin",
         (NEEDS,),
-        "the computed need at an angle, its change with the angle and with the wall's damping are "
-        "the derived ones, for whole delays and for those with a fraction; the worst angle is "
-        "searched for by these",
+        "the computed required damping at an angle and its derivatives are the derived ones, for "
+        "integer and fractional delays; the search for the worst angle uses these",
     )

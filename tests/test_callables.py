@@ -1,6 +1,7 @@
 """Formulas as functions: on arrays without a warning, in many digits, and for smaller scenes."""
 
 import importlib.util
+import inspect
 import multiprocessing
 import pickle
 import re
@@ -17,9 +18,11 @@ import symhaptic
 from symhaptic import Scene, lambdify
 from symhaptic.book import formulas
 from symhaptic.book.chapters import folder, run
+from symhaptic.check.formulas import CHECKED
 from symhaptic.export import request
 from symhaptic.forms import stable
 from symhaptic.model.parts import Parts
+from symhaptic.numeric.arguments import IN_ORDER
 
 HARD = [0.0, 1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1.0, 10.0, 700.0]
 NAMES = ["discretize", "stability_boundary", "passivity_margin_at", "passivity_boundary",
@@ -303,6 +306,16 @@ def test_24_by_number_is_the_limit_of_the_stiffness():
     for id in ("eq24", "eq9"):
         alpha = lambdify(id)(5 * 0.001 / 0.1, 2 * 0.001 / 0.1, 1.5)
         assert alpha * 0.1 / 0.001**2 == pytest.approx((2 + 5) / 0.002, rel=1e-14)
+
+
+def test_an_equation_has_one_order_of_arguments():
+    """That of `symhaptic check --list`, in Python, too; what an inequality bounds comes first."""
+    for id, order in IN_ORDER.items():
+        assert " ".join(CHECKED[id].arguments) == order
+        named = list(inspect.signature(lambdify(id, form="derived")).parameters)
+        known = [name for name in order.split() if name in named]
+        assert named[len(named) - len(known) :] == known
+    assert list(inspect.signature(lambdify("eq11", form="printed")).parameters) == ["b", "T", "d"]
 
 
 def test_31_by_number_is_in_si_units():

@@ -357,7 +357,6 @@ def test_every_function_of_walls_can_be_checked():
     others = {"enclose", "enclose_maximum", "formula", "grid_boundary", "lambdify", "prove"}
     others |= {"recheck", "robust_region", "show_config", "stable_region", "sweep"}
     others |= {"jury"}  # gives formulas
-    others |= {"limit_at"}  # the last stable wall of a damping: is_stable is checked
     others |= {"max_delay"}  # what delay_margin gives without a delay
     assert functions - others <= set(CHECKED)
 

@@ -216,7 +216,7 @@ def test_what_is_read_is_not_written_over(tmp_path):
         (tmp_path / "no").mkdir(exist_ok=True)
         run = symhaptic("verify", "my-own", "--derivation", path, "-o", place)
         assert run.returncode == 2
-        assert run.stderr.endswith(": is what is read here; another file is allowed\n")
+        assert run.stderr.endswith(": is what is read here; give another file\n")
         assert path.read_text(encoding="utf-8") == GOOD
 
 
@@ -267,7 +267,7 @@ BAD_INPUT = {
     "unknown option": (["report", "--frobnicate"], "--frobnicate"),
     "too small a number": (["verify", "--workers", "0"], "Invalid value for '--workers': "),
     "no number": (["export", "--delay", "two"], "Invalid value for '--delay': 'two' "),
-    "one word too many": (["report", "book"], "(book); allowed is what --help lists"),
+    "one word too many": (["report", "book"], "(book); see --help"),
     "unknown chapter": (
         ["report", "--chapter", "s3d_figure"],
         "'s3d_figures'",
@@ -357,7 +357,7 @@ def test_a_report_does_not_write_over_what_is_not_its_own(name, tmp_path):
     begin = time.monotonic()
     run = symhaptic("report", "--format", "tex", "-o", tmp_path)
     assert run.returncode == 2
-    assert f"{name} there is not written by `symhaptic report`" in run.stderr
+    assert f"{name} there was not written by `symhaptic report`" in run.stderr
     assert run.stderr.count("\n") == 1
     assert time.monotonic() - begin < 10  # told before the work
     assert [path.name for path in tmp_path.iterdir()] == [name]
@@ -447,7 +447,7 @@ def test_mutants_keep_a_file_of_somebody_else(tmp_path):
     mine.write_text("{}")
     ran = symhaptic("mutants", "-o", mine)
     assert ran.returncode == 2
-    assert "another name is allowed" in ran.stderr
+    assert "give another name" in ran.stderr
     assert mine.read_text() == "{}"
 
 

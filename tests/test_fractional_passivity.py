@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize_scalar
 
+from symhaptic import sweep
 from symhaptic.numeric.extremum import Extremum
 from symhaptic.numeric.passivity import (
     is_passive,
@@ -260,8 +261,8 @@ def test_nan_in_nan_out():
         (lambda: is_passive(1, 0, 1, -0.5), "delay: -0.5 .* delay >= 0"),
         (lambda: is_passive(1, 0, np.inf, 0), "delta: inf"),
         (lambda: is_passive(np.inf, 0, 1, 0), "alpha: inf"),
-        (lambda: passivity_boundary(4.0, 1, 0), "omega: 4.0 .* 0 < omega < pi"),
-        (lambda: passivity_boundary([1.0, 0.0], 1, 0), "omega: 0.0"),
+        (lambda: passivity_boundary(4.0, 1, 0), "theta: 4.0 .* 0 < theta < pi"),
+        (lambda: passivity_boundary([1.0, 0.0], 1, 0), "theta: 0.0"),
         (lambda: max_passive_stiffness(1, np.inf), "delay: inf"),
         (lambda: is_passive(1, 0, 1, 0, sheet="literal"), "sheet: 'literal' .*'exact'"),
     ],
@@ -269,3 +270,16 @@ def test_nan_in_nan_out():
 def test_the_impossible_is_refused_by_name(call, words):
     with pytest.raises(ValueError, match=words):
         call()
+
+
+def test_the_old_name_of_the_angle_stays_with_a_warning():
+    """In the function and as the axis of a sweep, until the next minor version."""
+    angles = np.array([0.5, 1.0])
+    wanted = passivity_boundary(angles, 1.0, 1)
+    with pytest.warns(DeprecationWarning, match="omega: is now theta"):
+        found = passivity_boundary(omega=angles, delta=1.0, delay=1)
+    assert np.array_equal(found, wanted)
+    with pytest.warns(DeprecationWarning, match="omega: is now theta"):
+        rows = sweep("passivity_boundary", omega=angles, delta=1.0, delay=1)
+    assert rows.alpha.dims == ("theta",)
+    assert np.array_equal(rows.alpha, wanted[0])

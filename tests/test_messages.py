@@ -37,7 +37,7 @@ def test_what_is_misspelt_is_told_with_what_may_be_meant(case, monkeypatch, caps
     assert left.value.code == 2
     assert error.count("\n") == 1
     assert all(part in error for part in parts), error
-    assert "allowed are 'did" not in error
+    assert "give one of 'did" not in error
 
 
 @pytest.mark.parametrize("option", ["--alpha", "--lambda", "--zzz"])
@@ -45,7 +45,7 @@ def test_what_is_like_nothing_is_told_without_a_guess(option, monkeypatch, capsy
     monkeypatch.setattr(sys, "argv", ["symhaptic", "trace", option, "3"])
     with pytest.raises(SystemExit):
         main()
-    said = f"symhaptic: error: No such option: {option}; allowed is what --help lists\n"
+    said = f"symhaptic: error: No such option: {option}; see --help\n"
     assert capsys.readouterr().err == said
 
 

@@ -52,7 +52,9 @@ def test_json_says_what_is_known_of_the_region():
     assert radius(top["alpha"] + 1e-3, top["beta"], 5, 0.02, 1) > 1
 
 
-@pytest.mark.parametrize(("format", "head"), [("png", b"\x89PNG"), ("svg", b"<?xml")])
+@pytest.mark.parametrize(
+    ("format", "head"), [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")]
+)
 def test_a_picture_is_the_same_from_run_to_run(format, head, tmp_path):
     files = [tmp_path / f"{i}.{format}" for i in range(2)]
     for file in files:
@@ -68,6 +70,7 @@ def test_a_picture_is_the_same_from_run_to_run(format, head, tmp_path):
     [
         ("x.png", b"\x89PNG"),
         ("x.SVG", b"<?xml"),
+        ("x.pdf", b"%PDF"),
         ("x.json", b"{"),
         ("x.csv", b"ring"),
         ("x", b"ring"),
@@ -91,7 +94,7 @@ def test_the_ending_of_the_file_names_the_format(name, head, tmp_path):
         ((*PLANT, "--format", "gif"), ("--format", "gif", "csv")),
         ((*PLANT, "--format", "csv", "-o", "x.png"), ("-o x.png", "--format csv", ".csv")),
         ((*PLANT, "--format", "png", "-o", "x.pdf"), ("-o x.pdf", "--format png", ".png")),
-        ((*PLANT, "-o", "x.gif"), ("-o x.gif", ".csv, .json, .png, .svg")),
+        ((*PLANT, "-o", "x.gif"), ("-o x.gif", ".csv, .json, .png, .svg, .pdf")),
         ((*PLANT, "-o", "no/such/folder/x.csv"), ("-o no/such/folder/x.csv", "folder")),
     ],
 )

@@ -1,7 +1,7 @@
 """Delay margins of walls.
 
-The delay that may be added to a loop without delay, in sampling periods, over the plane of walls
-of a free device. Outside of the coloured region no wall is stable without delay.
+The delay that may be added to a loop without delay, in sampling periods, for the walls of a device
+without a spring. Outside the coloured region no wall is stable without delay.
 """
 
 import matplotlib.pyplot as plt

@@ -1,7 +1,7 @@
-"""Delays between whole periods.
+"""Fractional delays.
 
-A force that comes one and a half periods late changes within a period; no power of $z$ says so.
-The stable walls from one period of delay to two, in quarters.
+With a delay of one and a half periods the force changes within a period, which no power of $z$
+describes. Stable walls for one to two periods of delay, in quarters.
 """
 
 import matplotlib.pyplot as plt

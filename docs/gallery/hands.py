@@ -1,7 +1,7 @@
-"""Does the hand that holds it matter?
+"""How much stiffness does an arm add?
 
-One device with 5 Ns/m of virtual damping, held by the arms of Table II and by nobody: each arm
-allows more, by very different amounts, and every hand may let go.
+The stiffness limit of one device with 5 Ns/m of virtual damping, alone and with the arms of Table
+II. Every arm raises the limit, by very different amounts, but the user may let go.
 """
 
 import matplotlib.pyplot as plt
@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt
 from symhaptic import Arm, Scene
 
 scene = Scene(mass=0.1, damping=0.5, sampling_period=1e-3, delay=1.5e-3)
-held = {"nobody": scene} | {name: scene.held_by(Arm.of(name)) for name in Arm.names()}
+held = {"no arm": scene} | {name: scene.held_by(Arm.of(name)) for name in Arm.names()}
 limits = {name: one.limit_at(B=5.0).K for name, one in held.items()}
 plt.barh(list(limits), list(limits.values()), color=["#B3261E"] + ["#33558B"] * 11)
 plt.gca().invert_yaxis()

@@ -1,7 +1,7 @@
-"""The stiffest wall over the delay.
+"""The stiffness limit over the delay.
 
-For a device of 100 g with three dampings, each wall with the virtual damping that suits it best.
-The delay counts far more than the damping of the device.
+For a device of 100 g with three dampings, at the virtual damping with the largest limit. The delay
+matters far more than the damping of the device.
 """
 
 import matplotlib.pyplot as plt

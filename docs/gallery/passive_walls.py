@@ -1,7 +1,7 @@
 """Passive walls over the delay.
 
-Fig. 4 of the paper in a few lines: the walls that give no energy away, in units of the damping of
-the device, for one to four periods of delay.
+Fig. 4 of the paper in a few lines: the passive walls in units of the damping of the device, for one
+to four periods of delay.
 """
 
 import matplotlib.pyplot as plt
@@ -17,4 +17,4 @@ for delay in range(1, 5):
     plt.plot(stiffest.alpha, stiffest.beta, "ko", markersize=3)
 plt.xlabel("virtual stiffness $KT/b$")
 plt.ylabel("virtual damping $B/b$")
-plt.legend(title="periods late")
+plt.legend(title="delay in periods")

@@ -1,7 +1,7 @@
-"""Walls that are safe in every hand.
+"""Walls that are stable with every arm.
 
-Proved, not sampled: stable for every arm of the range (23), and for none. The steps are the columns
-of the proof, the dashed rectangle is the largest in which both numbers may be chosen freely.
+Proved for every arm of the range (23), and for the device alone. The steps are the columns of the
+proof. In the dashed rectangle, the largest one, stiffness and damping may be chosen freely.
 """
 
 from symhaptic import Scene

@@ -1,7 +1,7 @@
-"""The response to a push.
+"""The response to a constant force.
 
-A device leans with 1 N on three walls, a tenth below the limit, on it, and a tenth above. At the
-limit the oscillation stays; its frequency is told beside the limit.
+A force of 1 N pushes a device against three walls: 10 % below the stiffness limit, at the limit and
+10 % above. At the limit the oscillation neither grows nor decays.
 """
 
 import matplotlib.pyplot as plt

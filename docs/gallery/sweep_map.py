@@ -1,7 +1,7 @@
 """A sweep over two parameters.
 
-What a heavy device and a short delay are worth: the largest stable stiffness at 6000 points, with
-units and names, as a map.
+The largest stable stiffness over the mass of the device and the delay, at 6000 points with units
+and names.
 """
 
 import matplotlib.pyplot as plt

@@ -1,7 +1,7 @@
 """Stable and passive walls of a device.
 
-In N/m and Ns/m: what is stable as long as nothing but the device moves, the few walls that no hand
-and no surface can make unstable, and how far one wall is from its limit.
+In N/m and Ns/m: walls that are stable with the device alone, passive walls, which are stable with
+every passive arm, and the distance of one wall from its limit.
 """
 
 from symhaptic import Scene

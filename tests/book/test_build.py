@@ -78,13 +78,7 @@ def test_no_step_says_that_a_thing_is_itself(chapters):
         for left, _, right in block.lines
         if shown(left) == shown(right)
     ]
-    assert alike == [  # quotients that SymPy cancels as they are written
-        (
-            "s10d_measured_velocity",
-            "The bound is this many times that for a difference of two samples",
-        ),
-        ("s10h_energy_leak", "Per energy that the damper burns this is the ratio of the rule"),
-    ]
+    assert not alike
 
 
 def test_the_same_from_run_to_run(some):
@@ -204,7 +198,7 @@ def test_a_file_that_no_report_wrote_is_not_written_over(tmp_path):
         target = tmp_path / name.replace("/", "-")
         (target / name).parent.mkdir(parents=True)
         (target / name).write_text("mine")
-        with pytest.raises(place.ReportError, match=f"{name} there is not written by"):
+        with pytest.raises(place.ReportError, match=f"{name} there was not written by"):
             build.write([chapter("s3d_figures")], target, pdf=False, say=lambda _: None)
         assert [p for p in target.rglob("*") if p.is_file()] == [target / name]
         assert (target / name).read_text() == "mine"

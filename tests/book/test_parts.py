@@ -45,7 +45,7 @@ def test_a_theorem_rests_on_those_of_its_page_and_not_on_what_is_behind_them():
     (tip,) = [
         one
         for one in shown.values()
-        if one.title == "The wall of (11) is passive, and the stiffest"
+        if one.title == "The wall of (11) is passive and has the maximum stiffness"
     ]
     found = rests([tip.theorem], shown)
     assert [one.title for one in found.shown] == ["No passive wall is stiffer"]

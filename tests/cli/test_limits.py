@@ -84,7 +84,7 @@ def test_words_and_a_picture(device, tmp_path):
         ("\ndelay", "\ndealy", "device.toml:4: dealy is not known; did you mean 'delay'?"),
         ('"1 ms"', '"0 ms"', "device.toml:3: sampling_period: '0 ms' is not allowed"),
         ('mass = "72 g"\n', "", "device.toml: mass is missing, such as mass = "),
-        ("[arm]", "[hand]", "device.toml:6: [hand] is no table; allowed are"),
+        ("[arm]", "[hand]", "device.toml:6: [hand] is no table; give one of"),
         ('B = "5 Ns/m"', "", "device.toml: [wall] needs K and B"),
         ('K = "800 N/m"', "K = true", "device.toml:12: K: True is not allowed"),
         ('"800 N/m"', '"800 N"', "device.toml:12: K: '800 N' is not allowed"),
@@ -373,7 +373,7 @@ def test_a_device_is_not_written_over(device):
     place = device.rename(device.with_suffix(".txt"))
     done = symhaptic("limits", place, "-o", place)
     assert done.returncode == 2
-    assert done.stderr.endswith(": is what is read here; another file is allowed\n")
+    assert done.stderr.endswith(": is what is read here; give another file\n")
     assert place.read_text() == text
 
 

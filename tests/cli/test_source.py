@@ -158,7 +158,11 @@ def test_another_sign_in_its_print_is_a_misprint(notes):
         ("{mv}{c}", "{mv}{b}", "'b', which the source calls 'c', in"),
         ('(("c", "b"),)', '(("c", "b"), ("q", "b"))', "the notation has 'b' twice on a side"),
         ('(("c", "b"),)', '(("c", "b"), ("c", "T"))', "the notation has 'c' twice on a side"),
-        ('(("c", "b"),)', '(("c", "damper"),)', "'damper' for 'c'; a symbol of ours is"),
+        (
+            '(("c", "b"),)',
+            '(("c", "damper"),)',
+            "'damper' for 'c'; give a symbol of symhaptic.notation",
+        ),
         ('(("c", "b"),)', '(("cv", "b"),)', "'cv' is no name"),
         (r'{2m})",)', r'{2m})",), reading=("F = cv",)', "reading: says something else than"),
         (r'{2m})",)', r'{2m}!)",), reading=("F < cv",)', "has other relation signs than the print"),
@@ -179,7 +183,7 @@ def test_a_bad_source_is_told_in_one_line(notes, old, new, told):
 def test_of_two_sources_none_is_left_out_in_silence(notes):
     for twice in (("--source", notes, "--source", notes), (f"--source={notes}", "--source", notes)):
         run = symhaptic("verify", *twice)
-        said = "symhaptic: error: --source: is given more than once; one value is allowed\n"
+        said = "symhaptic: error: --source: is given more than once; give one value\n"
         assert (run.returncode, run.stdout, run.stderr) == (2, "", said)
     run = symhaptic("verify", "eq11", "-oone.txt", "-oother.txt")
     assert (run.returncode, run.stderr) == (2, said.replace("--source", "-o"))

@@ -45,7 +45,7 @@ HOSTILE = {
     "endless delay": (["eq18", "--delay", "1000", "--target", "c"], "--delay 1000"),
     "delay that changes nothing": (
         ["eq25", "is_stable", "--delay", "1", "--target", "c"],
-        "--delay 1: changes nothing for eq25, is_stable; allowed is it with characteristic_poly",
+        "--delay 1: changes nothing for eq25, is_stable; give it with characteristic_poly",
     ),
     "delay of no scene": (["--scene", "no-delay", "--delay", "2", "--target", "c"], "--delay 2"),
     "standard header": (["--name", "stdio", "--target", "c"], "--name stdio: is reserved in C99"),

@@ -12,6 +12,7 @@ from loops.test_count import PARTS, VELOCITIES
 
 from symhaptic import LowPass, Scene
 from symhaptic.loops.engine import Engine
+from symhaptic.loops.velocity import Measured
 
 mp.mp.dps = 40
 
@@ -106,6 +107,24 @@ def test_windows_of_the_delay_beside_eigenvalues():
             assert not stable(1000 * end - 1e-6 * inside)
     told = [any(low < t / 1000 < high for low, high in windows) for t in np.arange(0.05, 8, 0.25)]
     assert told == [stable(t) for t in np.arange(0.05, 8, 0.25)]
+
+
+def test_a_window_that_begins_where_an_angle_of_equal_parts_comes():
+    """At 0.1227 periods |A| = |W| comes in at z = -1; an end next to it is no end of a cell."""
+    gamma, delta, alpha, beta = 0.0, 0.21691966406662178, 0.5956560359120588, 2.7000869941962473
+    ((low, high),) = Engine(gamma, delta, 0.0, 1.0, 1.0, Measured()).stable_delays(
+        alpha, beta, 0.0, 8.0
+    )
+    kind = {"past": 2, "outs": 0, "measured": True}
+
+    def largest(delay):
+        found = matrix(*device(gamma, delta), alpha, beta, delay, None, kind)
+        return np.abs(np.linalg.eigvals(found)).max()
+
+    for end in (low, high):
+        assert largest(end) == pytest.approx(1, abs=1e-9)
+    assert largest(low - 1e-6) > 1 > largest(low + 1e-6)
+    assert largest(high - 1e-6) < 1 < largest(high + 1e-6)
 
 
 def test_the_margin_ends_its_window():

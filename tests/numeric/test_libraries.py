@@ -173,7 +173,7 @@ def test_what_jax_cannot_differentiate_says_what_to_do():
         (lambda x: symhaptic.max_delay(0.01, x, 0.0, 0.02), "beta", "max_delay", values),
         (
             lambda x: symhaptic.passivity_boundary(x, 0.02, 1.5)[0],
-            *("omega", "passivity_boundary", values),
+            *("theta", "passivity_boundary", values),
         ),
         (
             lambda x: symhaptic.max_stable_stiffness(0.0, x, 1.5).alpha,

@@ -245,7 +245,6 @@ JUNK = [
     "e",
     "K, B",
     r"\sin",
-    r"\ln K",
     r"\text{words}",
     r"\Re K",
     r"\frac{K}",
@@ -398,3 +397,32 @@ def test_a_divisor_that_no_form_keeps_is_not_read():
     vector = r"\begin{pmatrix} x \\ y \end{pmatrix}"
     with pytest.raises(Unreadable, match="a divisor that cancels"):
         read(rf"\frac{{T}}{{T}} {vector} = {vector}")
+
+
+@pytest.mark.parametrize(
+    ("latex", "meant"),
+    [
+        (r"b\ln(1+K)", b * sp.log(1 + K)),
+        (r"\arctan\frac{K}{B}", sp.atan(K / B)),
+        (r"m\dot x", m * sp.Symbol("v")),
+        (r"b\dot{x}^2", b * sp.Symbol("v") ** 2),
+        (r"\mathrm{Re}(H(z))", re(H(z))),
+        (r"\operatorname{Re}\{H(z)\}", re(H(z))),
+    ],
+)
+def test_functions_that_sources_use_are_read(latex, meant):
+    assert read(latex) == (meant,)
+
+
+def test_the_least_and_the_largest_of_values_are_read():
+    """Of numbers, so that it is no matter how they are written."""
+    (least,), (most,) = read(r"\min(K, B)"), read(r"\mathrm{max}\{K, B, T\}")
+    for at in ({K: 1, B: 2, T: 3}, {K: 5, B: -1, T: 2}, {K: 4, B: 9, T: 9}):
+        assert least.subs(at) == min(at[K], at[B])
+        assert most.subs(at) == max(at.values())
+
+
+@pytest.mark.parametrize("latex", [r"\dot K", r"\min K", r"\max(K)", r"\ln^{-1}(K)", r"\min{K, B}"])
+def test_what_has_no_such_meaning_is_refused(latex):
+    with pytest.raises(Unreadable):
+        read(latex)

@@ -1,6 +1,8 @@
 """Questions on boxes and constants: right, wrong, or an honest undecided; bad input is named."""
 
 import re
+import subprocess
+import sys
 
 import mpmath
 import pytest
@@ -138,3 +140,29 @@ def test_maximum_between_its_bounds():
     assert recheck(found)
     with pytest.raises(ValueError, match="no interval for y"):
         enclose_maximum(x * y, {x: (0, 1)})
+
+
+def test_a_failed_assertion_says_the_sentence_and_the_counterexample(pytest_of):
+    """In pytest's own words, with its rewritten assertions."""
+    out = pytest_of(
+        "from sympy.abc import x\n"
+        "from sympy import sin\n"
+        "from symhaptic import prove\n"
+        "def test_mine():\n"
+        "    assert prove(sin(2*x), 2*sin(x))\n"
+    )
+    assert "assert <refuted: the two sides differ; counterexample x = 1>" in out
+
+
+@pytest.fixture
+def pytest_of(tmp_path):
+    """Runs pytest on a file in a process, and returns what it prints."""
+
+    def run(text):
+        (tmp_path / "test_mine.py").write_text(text, encoding="utf-8")
+        command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "test_mine.py"]
+        found = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert found.returncode == 1
+        return found.stdout
+
+    return run

@@ -130,8 +130,8 @@ def test_a_picture_shows_the_passive_walls_of_the_device():
     pytest.importorskip("matplotlib")
     axes = HELD.plot(800.0, 5.0)
     said = [text.get_text() for text in axes.get_legend().get_texts()]
-    assert "stiffest passive wall: 3.29 N/m, 0.00203 Ns/m" in said
-    assert any(text.startswith("stiffest stable wall: 54296 N/m") for text in said)
+    assert "max. passive stiffness: 3.29 N/m, 0.00203 Ns/m" in said
+    assert any(text.startswith("max. stable stiffness: 54296 N/m") for text in said)
     same = ALONE.plot(arm=ARM)
     assert said[:2] == [text.get_text() for text in same.get_legend().get_texts()][:2]
 

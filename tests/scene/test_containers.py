@@ -157,5 +157,5 @@ def test_what_cannot_be_kept_is_refused_on_one_line():
 
 def test_printed_forms_keep_labels_by_the_library_itself():
     xarray = library("xarray")
-    found = lambdify("eq11", form="derived")(1.0, xarray.DataArray([0.0, 1.0], dims="d"), 1e-3)
+    found = lambdify("eq11", form="derived")(1.0, 1e-3, xarray.DataArray([0.0, 1.0], dims="d"))
     assert found[0].dims == ("d",)

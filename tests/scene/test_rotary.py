@@ -72,8 +72,8 @@ def test_words_have_rotary_units():
 def test_a_picture_has_rotary_units():
     pytest.importorskip("matplotlib").use("Agg")
     axes = KNOB.plot(K="0.02 N m/deg", B=0.01)
-    assert axes.get_xlabel().endswith("N m s/rad")
-    assert axes.get_ylabel().endswith("N m/rad")
+    assert axes.get_xlabel().endswith("N m/rad")
+    assert axes.get_ylabel().endswith("N m s/rad")
     assert all("N/m" not in text.get_text() for text in axes.get_legend().get_texts())
 
 

@@ -181,12 +181,12 @@ def test_a_picture_shows_the_rectangle_and_whether_a_wall_is_inside(wall, color)
     drawn = {line.get_label(): line for line in axes.lines}
     (bottom, top), (left, right) = phantom().rectangle
     rectangle = drawn[f"{top:.0f} N/m with {left:.3g} to {right:.3g} Ns/m"]
-    assert set(rectangle.get_xdata()) == {left, right}
-    assert set(rectangle.get_ydata()) == {bottom, top}
+    assert set(rectangle.get_xdata()) == {bottom, top}
+    assert set(rectangle.get_ydata()) == {left, right}
     marked = [line for label, line in drawn.items() if label.startswith("this wall")]
     assert [line.get_color() for line in marked] == ([] if wall is None else [color])
-    assert right < axes.get_xlim()[1]
-    assert max(top, wall[0] if wall else 0.0) < axes.get_ylim()[1]
+    assert right < axes.get_ylim()[1]
+    assert max(top, wall[0] if wall else 0.0) < axes.get_xlim()[1]
     assert phantom().plot(axes) is axes
     assert phantom().plot() is not axes
     pyplot.close("all")

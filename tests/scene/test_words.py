@@ -103,18 +103,35 @@ def axes():
 def test_a_picture_has_units_and_a_legend_beside_the_curves(axes, wall):
     assert Scene(**SCENE).plot(*wall, axes=axes) is axes
     axes.figure.canvas.draw()
-    assert axes.get_xlabel().endswith("Ns/m")
-    assert axes.get_ylabel().endswith("N/m")
+    assert axes.get_xlabel().endswith("N/m")
+    assert axes.get_ylabel().endswith("Ns/m")
     frame, legend = axes.get_window_extent(), axes.get_legend().get_window_extent()
     assert legend.y1 < frame.y0
     assert legend.x0 >= 0
     assert legend.x1 <= axes.figure.bbox.x1
     (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
     edge, *marks = axes.lines
-    assert np.nanmin(edge.get_ydata()) < 0 < np.nanmax(edge.get_ydata()) < 1.5 * top
+    assert np.nanmin(edge.get_xdata()) < 0 < np.nanmax(edge.get_xdata()) < 1.5 * right
     for mark in (m for m in marks if m.get_marker() != "None"):
         assert left < mark.get_xdata()[0] < right
         assert bottom < mark.get_ydata()[0] < top
+
+
+def test_a_picture_fits_a_column_with_fonts_that_journals_take(tmp_path):
+    """Everything within 3.5 in, and Type 42 fonts, whatever the settings of Matplotlib are."""
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    figure = Scene(**SCENE).plot(3000.0, 20.0).figure
+    figure.canvas.draw()
+    whole = figure.get_tightbbox()
+    assert figure.get_figwidth() == 3.5
+    assert 0 <= whole.x0 < whole.x1 <= 3.5
+    assert 0 <= whole.y0 < whole.y1 <= figure.get_figheight()
+    assert all(text.get_size() >= 7 for text in figure.axes[0].get_legend().get_texts())
+    pyplot.savefig(tmp_path / "walls.pdf")
+    written = (tmp_path / "walls.pdf").read_bytes()
+    assert b"/CIDFontType2" in written
+    assert b"/Type3" not in written
+    pyplot.close("all")
 
 
 def test_half_a_wall_is_refused():

@@ -1,11 +1,13 @@
 """A symbol that a rule binds stands for nothing else, and what limits a term is not dropped."""
 
+from collections.abc import Iterator
+
 import pytest
 import sympy as sp
 from sympy import I, Rational, S, exp, pi
 
 from symhaptic.notation import X, s, z
-from symhaptic.notation.proposition import FALSE, ForAll, Not, Predicate, Relation
+from symhaptic.notation.proposition import FALSE, Exists, ForAll, Not, Predicate, Relation
 from symhaptic.notation.terms import NoTerm
 from symhaptic.proof.theorems.analysis import in_the_limit
 from symhaptic.proof.theorems.axioms import known
@@ -19,14 +21,23 @@ from symhaptic.proof.theorems.kernel import (
     assume,
     contr,
     disch,
+    exists,
     gen,
     inst,
+    mp,
     not_intro,
     spec,
     subst,
     undisch,
 )
-from symhaptic.proof.theorems.leaves import combined, identity, number, tends
+from symhaptic.proof.theorems.leaves import (
+    combined,
+    identity,
+    is_whole,
+    number,
+    root_outside,
+    tends,
+)
 from symhaptic.proof.theorems.roots import (
     all_inside,
     degree,
@@ -181,3 +192,37 @@ def test_what_is_free_of_the_bound_symbol_goes_on() -> None:
     found = all_inside(z, 1, zero_at(half))
     assert found.conclusion.terms == (z * (z - half),)
     assert jury(z - x / 4, z).hypotheses == frozenset()
+
+
+@pytest.mark.parametrize("inner", [Exists, ForAll])
+def test_a_bound_symbol_is_not_another_one(inner: type[Exists]) -> None:
+    # for all x there is a y = 1, and not for all x a y with x = 1: both counted from 0
+    one, other = (ForAll((x,), inner((y,), Relation(s, "=", S.One))) for s in (y, x))
+    assert one != other
+    assert one == ForAll((v,), inner((w,), Relation(w, "=", S.One)))
+    shown = gen(exists(identity(S.One, S.One), Exists((y,), Relation(y, "=", S.One)), {y: 1}), x)
+    with pytest.raises(NotShown, match="is not what is implied from"):
+        mp(disch(assume(other), other), shown)
+
+
+def with_next_numbers(name: str | None = None) -> Iterator[sp.Dummy]:
+    """Symbols with the numbers that SymPy gives to those that it makes next."""
+    for ahead in range(8):
+        count = sp.Dummy._count + ahead
+        number_ = sp.Dummy._base_dummy_index + count
+        yield sp.Dummy(name or f"Dummy_{count}", dummy_index=number_)
+
+
+def test_a_symbol_with_a_number_by_hand_is_not_the_kernels_own() -> None:
+    for own in with_next_numbers("x"):
+        there = exists(identity(y, y), Exists((x,), Relation(x, "=", y)), {x: y})
+        assert inst(there, {y: own + x}).conclusion.free == {own, x}
+    for own in with_next_numbers():
+        with pytest.raises(NotShown, match="not made of whole numbers"):
+            is_whole(own, is_whole(S.One))
+    for own in with_next_numbers():  # its zeros are not those of own^2/2 + own
+        with pytest.raises(NotShown, match="no zero is shown to be outside"):
+            root_outside(own**2 / 2 - sp.sqrt(2) / 10, own)
+    for own in with_next_numbers("eps"):
+        with pytest.raises(NotShown):
+            tends(x + own, x, S.One, S.One)

@@ -346,6 +346,11 @@ def settle(tmp_path):
 
 
 ONE = 'page.define("One", w, S(1))\npage.settle("odd:a")'
+WALL = 'Predicate("passive_wall", (), (K, B, b, T, d))'
+VACUOUS = f"""wall = {WALL}
+never = not_intro(spec(known("square"), {{symbols("x"): x}}), assume(x**2 < 0))
+shown = add_assum(contr(never, K < 0), wall)
+"""
 SOURCES = {
     # a reading that says something else, or numbers that nobody measures
     "0 = 1 read as 1 = 1": {"statement": '("0 = 1",), reading=("1 = 1",)'},
@@ -402,6 +407,19 @@ SOURCES = {
         "statement": r'("K < 0",), condition=True, domain=r"d\in\mathbb{N}_0, 2K < 0"',
         "claim": "ForAll((K, d), implied([whole(d), 2 * K < 0], p[0]))",
         "chapter": 'page.settle("odd:a", known("square"))',
+    },
+    "a condition under a contradiction, of a passive wall": {
+        "statement": '("K < 0",), condition=True',
+        "claim": f"ForAll((K, x), And((implied([{WALL}, x**2 < 0], p[0]),)))",
+        "chapter": VACUOUS + "shown = conj(disch(shown, both([wall, x**2 < 0])))\n"
+        'page.settle("odd:a", gen(shown, K, x))',
+    },
+    "a condition for all squares below 0": {
+        "statement": '("K < 0",), condition=True',
+        "claim": f"ForAll((K,), And((implied([{WALL}], "
+        "ForAll((x,), implied([x**2 < 0], p[0]))),)))",
+        "chapter": VACUOUS + "shown = conj(disch(gen(disch(shown, x**2 < 0), x), wall))\n"
+        'page.settle("odd:a", gen(shown, K))',
     },
     "under its denial's denial": {
         "statement": '("K < 0",)',

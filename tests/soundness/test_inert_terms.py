@@ -26,7 +26,7 @@ from symhaptic.proof.theorems.kernel import (
     inst,
     spec,
 )
-from symhaptic.proof.theorems.leaves import combined, identity, mirrored
+from symhaptic.proof.theorems.leaves import combined, identity, mirrored, tends
 from symhaptic.proof.theorems.roots import first_minors
 from symhaptic.proof.theorems.tactics import fact
 
@@ -235,3 +235,15 @@ def test_no_power_of_a_bound_symbol_is_lost() -> None:
     claim = ForAll((x,), Relation(S.Zero, "<=", x**m + y * x**n))
     with pytest.raises(NotShown, match="lost under its quantifier"):
         inst(assume(claim), {y: S.Zero})
+
+
+def test_no_branch_is_found_by_decimals() -> None:
+    # SymPy does not see that b = -2: of the root of b^-3, 0.35 j, it made -b^(-3/2), -0.35 j
+    b = -2 + sp.I * (sp.sin(1) ** 2 + sp.cos(1) ** 2 - 1)
+    root = sp.Pow(sp.Pow(x, -3), sp.S.Half, evaluate=False)
+    with pytest.raises(NoTerm, match="by decimals"):
+        inst(identity(root, root), {x: b})
+    assert inst(identity(root, root), {x: sp.Integer(-2)}).conclusion.free == frozenset()
+    inverse = sp.Pow(1 / sp.tan(2), sp.S.Half, evaluate=False)  # in exponentials, not seen either
+    with pytest.raises(NotShown, match="by decimals"):
+        tends(inverse + 5 + x, x, 0, inverse + 5)

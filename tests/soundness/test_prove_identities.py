@@ -5,6 +5,8 @@ import sympy as sp
 from sympy import Eq, Function, I, Matrix, Rational, cos, exp, pi, re, sin, sqrt, symbols
 
 from symhaptic import formula, prove
+from symhaptic.proof.theorems.kernel import NotShown
+from symhaptic.proof.theorems.leaves import identity
 from symhaptic.proof.verdict import Kind
 
 x, y, z, a, b = symbols("x y z a b")
@@ -217,3 +219,11 @@ def test_an_exponent_that_sympy_writes_anew_is_undecided():
     fourth = sp.Pow(sqrt(2), sp.S.Half, evaluate=False)
     power = sp.Pow(3 + x, fourth, evaluate=False)
     assert prove(power, power + 1).kind in (Kind.REFUTED, Kind.UNDECIDED)
+
+
+def test_a_root_keeps_its_branch_where_a_tangent_becomes_exponentials():
+    """tan 2 < 0: of 1/tan 2 and of tan 2 the powers are -0.31 j and 0.31 j."""
+    inverse = sp.Pow(1 / sp.tan(2), Rational(3, 2), evaluate=False)
+    assert prove(inverse, sp.tan(2) ** Rational(-3, 2)).kind == Kind.REFUTED
+    with pytest.raises(NotShown, match="is not shown by a normal form"):
+        identity(inverse, sp.tan(2) ** Rational(-3, 2))

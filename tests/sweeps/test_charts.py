@@ -75,8 +75,8 @@ def test_without_ranges_the_axes_are_those_that_are_documented():
     axes = charts.delay_margin(SCENE, points=5).axes[0]
     assert (axes.get_xlim()[0], axes.get_ylim()[0]) == (0.0, 0.0)
     half = dataclasses.replace(SCENE, delay=1.5e-3).max_stable_stiffness()
-    assert axes.get_ylim()[1] == pytest.approx(half.K)
-    assert axes.get_xlim()[1] > half.B
+    assert axes.get_xlim()[1] == pytest.approx(half.K)
+    assert axes.get_ylim()[1] > half.B
 
 
 def test_leaving_out_the_damper_costs_what_is_proved():
@@ -116,8 +116,8 @@ def test_charts_of_a_rotary_device_have_its_units():
     knob = Scene(inertia=1e-4, damping=2e-3, stiffness=0.1, sampling_period=1e-3)
     for chart in (charts.robust_limits, charts.delay_margin):
         axes = chart(knob, points=12).axes[0]
-        assert axes.get_xlabel().endswith(" in N m s/rad")
-        assert axes.get_ylabel().endswith(" in N m/rad")
+        assert axes.get_xlabel().endswith(" in N m/rad")
+        assert axes.get_ylabel().endswith(" in N m s/rad")
     title = charts.robust_limits(knob, points=12).axes[0].get_title(loc="left")
     assert title == "$k$ = 0 to 0.1 N m/rad, $b$ = 0 to 0.002 N m s/rad"
     assert charts.stiffest(knob, points=12).axes[0].get_ylabel().endswith(" in N m s/rad")

@@ -318,10 +318,7 @@ def test_quantities_are_public_and_name_their_statement(name):
 
     known = QUANTITIES[name]
     assert symhaptic._HOME[name] == f"symhaptic.{known.home}"
-    rows = {
-        n: [0.1, 0.2] if n in ("theta", "omega") else 0.01
-        for n in sweep_arguments(name)
-    }  # fmt: skip
+    rows = {n: [0.1, 0.2] if n == "theta" else 0.01 for n in sweep_arguments(name)}
     found = sweep(name, **rows)
     assert len(found.data_vars) == len(known.results)
     assert ledger_has(known.statement, STATEMENTS)
@@ -414,7 +411,7 @@ def test_other_mistakes():
     [
         ({"K": "1"}, "K: '1' is not allowed; give a number and a unit"),
         ({"sheet": 3}, "sheet: 3 is not allowed; give 'exact' or 'principal'"),
-        ({"sheets": "exact"}, "sheets: is not allowed; allowed are K, B"),
+        ({"sheets": "exact"}, "sheets: is not allowed; give one of K, B"),
         ({"scene": "device"}, "scene: 'device' is not allowed; give a Scene"),
         ({"over": 3, "reduce": "all"}, "over: 3 is not allowed; give a word or several"),
         ({"over": "K", "reduce": [3]}, r"reduce: \[3\] is not allowed; give a word or several"),

@@ -150,7 +150,7 @@ def run(path: Path) -> Chapter:
     if not title:
         raise BadChapter(path, NO_TITLE)
     if any(kind(derive) for kind in _NOT_RUN_BY_A_CALL):
-        raise BadChapter(path, "derive is async or has a yield; a plain function is allowed")
+        raise BadChapter(path, "derive is async or has a yield; give a plain function")
     page = Page(path.stem)
     with _SomebodyElses(path):
         derive(page)

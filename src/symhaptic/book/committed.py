@@ -52,7 +52,7 @@ def records(path: Path) -> list[dict[str, Any]]:
         raise NoLedger(path, "is no ledger") from wrong
     for id, count in counts.items():
         if count > 1:
-            raise NoLedger(path, f"has the id {id!r} {count} times; one record of each is allowed")
+            raise NoLedger(path, f"has the id {id!r} {count} times; give one record of each")
     return found
 
 

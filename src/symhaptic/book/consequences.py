@@ -8,20 +8,21 @@ from __future__ import annotations
 
 UNSAFE: dict[str, str] = {
     "one-delta": "For passivity use the damping of the device alone, $b_D$, and for stability "
-    "that of the device in the arm, $b_D+b_H$. With one $\\delta$ for both, the passive walls "
-    "of Figs. 11 to 13 are far too stiff for a held device: for an arm and a device of equal "
-    "mass at the limits of (21) and (22), 24 times.",
+    r"that of device and arm together, $b_D+b_H$. With one $\delta$ for both, the passive walls of "
+    r"Figs. 11 "
+    "to 13 are far too stiff for a device with an arm: for an arm and a device of equal mass "
+    "at the limits of (21) and (22), 24 times.",
     "s4d-all-stabilising": "A firmer grip or a heavier handle can destabilise a wall that was "
     "stable. Test the range of grips, not the loosest one.",
     "s4d-delay-shrinks": "A wall that is stable with some delay is not for that reason stable "
     "with less. Check the smallest delay too, not only the largest.",
     "eq4": "Check $K\\ge0$ as well. A wall that pulls (negative stiffness, as in a detent) can "
     "pass (4) and push the hand.",
-    "eq5": "With a delay that is no whole number of periods, round it up before using (5); with "
-    "$K\\ge0$ that is safe. Used as printed, it can let a wall through that gives energy away. "
-    "Walls that just meet it are passive, too.",
-    "eq11": "For a fractional delay this wall can give energy away, and it is not the stiffest "
-    "passive one: at half a period that is 1.8\\,\\% stiffer, with another damping.",
+    "eq5": "With a delay that is not an integer number of periods, round it up before using (5); "
+    r"with $K\ge0$ that is safe. Used as published, it can let a wall through that delivers "
+    "energy. Walls that just meet it are passive, too.",
+    "eq11": "For a fractional delay this wall can deliver energy, and it is not the stiffest "
+    r"passive one: at half a period that is 1.8\,\% stiffer, with another damping.",
     "eq8": "For half a period of delay no wall with $K>0$ on this line is passive. Round the "
     "delay up.",
     "eq9": "The same line as (8): round a fractional delay up, and keep inside the range of "
@@ -31,16 +32,16 @@ UNSAFE: dict[str, str] = {
     "eq7": "Plot it up to $\\omega T=\\pi/(d+1)$ only; what the curve does beyond is no "
     "boundary. Without delay use (6).",
     "eq27": "As (7).",
-    "fig4": "Read the curves for 0.25 and 0.5 periods as (5), not as a limit; use the one for "
-    "the next whole delay.",
-    "fig5": "Between whole delays the curve is on either side of the truth. Read it at the next "
-    "whole delay, which is safe.",
+    "fig4": "Read the curves for 0.25 and 0.5 periods as (5), not as a limit; use the one for the "
+    "next integer delay.",
+    "fig5": "Between integer delays the curve is on either side of the truth. Read it at the next "
+    "integer delay, which is safe.",
     "eq24": "A rule of thumb. Inside (23), for no delay or one period, it is safe up to a "
     "virtual damping of about $b/6$ and $b/4$; above, it allows unstable walls. Use (9) or the "
     "boundary.",
     "eq25": "As (24): above the crossing with the exact boundary it lets unstable walls through.",
     "s4e-passive-range": "Count the damping of the device only. With that of the arm in $b$, "
-    "walls on the line give energy away when the hand lets go.",
+    "walls on the line deliver energy when the hand lets go.",
     "s6-linear-dissipation": "A device that trades its damper for virtual damping one to one can "
     "end up unstable near the limit. The damper is worth more, the more so with delay.",
     "s3b-linear-in-T": "Halving the period, and the delay with it, doubles the passive "
@@ -82,8 +83,9 @@ MISLEADING: dict[str, str] = {
     "then ten times the rate gives less than a quarter more stiffness.",
     "eq18": "As (14): for $k=0$ the polynomial vanishes, and a root finder returns nothing or "
     "noise. Use \\texttt{characteristic\\_polynomial}.",
-    "eq14": "Code typed in from (14) divides zero by zero for a device that nobody holds and at "
-    "critical damping, and loses digits near both. Use the entire forms (\\texttt{discretize}).",
+    "eq14": "Code typed in from (14) divides zero by zero for a device without an arm and at "
+    "critical damping, and loses digits near both. Use the entire forms "
+    r"(\texttt{discretize}).",
     "eq16": "As (14).",
     "eq17": "As (14): for $k=0$ every coefficient is zero.",
     "s4d-degree": "For $k=0$ the printed polynomial is zero; the right one has degree $d+3$.",
@@ -119,7 +121,7 @@ SLIPS: dict[str, str] = {
 }
 
 RULES: dict[str, str] = {
-    "rules:twice-damping": "Safe without delay only. One period late keep to 41 per cent of it.",
+    "rules:twice-damping": "Safe without delay only. With one period of delay use 41\\,\\% of it.",
     "rules:damping-over-delay": "Count virtual damping up to $bd/(2d+3)$ only; more of it takes "
     "stiffness away.",
     "rules:four-masses": "A stiffness is not safe because it is small: what counts is damping.",

@@ -27,6 +27,7 @@ class Formula:
 
     ``printed`` is the formula as published, misprints included; ``derived`` is the formula that the
     package derives.  Both are tuples with one relation per published line or vector component.
+    :func:`symhaptic.formula` returns it.
     """
 
     id: str
@@ -82,10 +83,26 @@ def _settled(path: Path) -> dict[str, tuple[Printed, Verdict]]:
 
 
 def formula(id: str) -> Formula:
-    """Return the formula with this id, such as ``"eq11"``; the first call runs its derivation.
+    """Return a formula of the paper; the first call runs its derivation.
 
-    Raises :class:`ValueError` for an id without a published or derived formula.
+    Parameters
+    ----------
+    id : str
+        The id of the formula, such as ``"eq11"``.
 
+    Returns
+    -------
+    Formula
+        With ``printed``, ``derived``, ``stable``, ``symbols``, ``units``, ``domain`` and
+        ``verdict``.
+
+    Raises
+    ------
+    ValueError
+        If the id has no published or derived formula.
+
+    Examples
+    --------
     >>> eq6 = formula("eq6")
     >>> eq6.derived[0], str(eq6.verdict.kind), eq6.units
     (b > K*T/2 + Abs(B), 'qualified', ('Ns/m',))

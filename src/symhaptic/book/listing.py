@@ -102,6 +102,8 @@ def text(
         detail = verdict.value or verdict.condition or ""
         if verdict.kind in (Kind.MISPRINT, Kind.REFUTED) and verdict.counterexample:
             detail = "at " + ", ".join(f"{k} = {v}" for k, v in verdict.counterexample.items())
+        if verdict.kind is Kind.UNDECIDED and entry.derivation:
+            detail = verdict.method
         if entry.derivation:
             detail = f"{detail}  [{entry.derivation}]".strip()
         if named:

@@ -26,85 +26,85 @@ PARTS = (
     Part(
         "Foundations",
         ("2", "4a", "4b", "4c"),
-        "A hand holds a device, a computer reads where it is once per period $T$, and answers with "
-        "the force of a spring $K$ and a damper $B$ that comes $d$ periods late. Nothing else is "
-        "put into this book. Newton's law is solved from one sample to the next, the delay is "
-        "written as a power of $z$ and held against what a late force really does, the loop is "
-        "brought to five pure numbers, and the numbers of human arms are looked at one by one.",
+        "A user moves a device. A computer reads its position once per period $T$ and commands "
+        "the force of a spring $K$ and a damper $B$, with a delay of $d$ periods. This part "
+        "derives the loop from these assumptions alone. It solves Newton's law between the "
+        "samples, compares the power $z^{-d}$ with an exact delay, reduces the loop to five "
+        "dimensionless parameters, and examines the published data of human arms.",
     ),
     Part(
         "Passivity",
         ("3",),
-        "A wall is passive if no motion of the device, however clever, takes energy out of it. The "
-        "only loss that it can live on is the damping $b$ of the device, so that the question is "
-        "how much of it each frequency needs. The answer is a line in the plane of $K$ and $B$ for "
-        "each angle $\\theta=\\omega T$; these lines envelop the passive walls, and the tip of the "
-        "region is the stiffest of them.",
+        "A wall is passive if no motion of the device extracts energy from it. The only loss of "
+        "the device is its damping $b$, so the question is which damping the wall requires at "
+        "each frequency. The answer is a line in the plane of $K$ and $B$ for each angle "
+        "$\\theta=\\omega T$. These lines envelop the passive region, and the tip of the region "
+        "is the passive wall of maximum stiffness.",
     ),
     Part(
         "Stability",
         ("4d",),
-        "A loop is stable if it comes to rest from every state, that is if all roots of its "
-        "characteristic polynomial lie inside the unit circle. A root can leave only across the "
-        "circle, and the walls that put one on it are an explicit curve. The chapters of this part "
-        "follow the curve from its start, count the roots on either side, and ask what mass, "
-        "spring, damper, delay and sampling period do to the region that it bounds.",
+        "A loop is stable if all roots of its characteristic polynomial lie inside the unit "
+        "circle. A root can leave only across the circle, and the walls with a root on the "
+        "circle form an explicit curve. The chapters of this part follow this curve from its "
+        "start, count the roots on either side, and show how mass, spring, damper, delay and "
+        "sampling period change the stable region.",
     ),
     Part(
         "The linear condition",
         ("4e",),
-        "Close to the origin the boundary of stability is nearly a straight line: the damping of "
-        "wall and device has to outweigh the stiffness times the delay, that of the hold included. "
-        "These chapters say where the line comes from, how far it is from the boundary, and on "
-        "which side of it the walls are that are not stable.",
+        "Close to the origin the stability boundary is nearly a straight line: the damping of "
+        "wall and device must exceed the stiffness times the delay, including that of the hold. "
+        "These chapters derive the line, its distance from the boundary, and the side on which "
+        "its walls are unstable.",
     ),
     Part(
         "Passivity and stability compared",
         ("5", "6_"),
-        "A passive wall is stable with every spring and damper that a hand may add, and pays "
-        "for it with stiffness. How much is asked in this part: by the ratio of the stiffest "
-        "walls, with the damping that counts for each; by what happens as a wall is softened; "
-        "by springs so stiff that they swing as fast as the computer looks; and by how much "
-        "spring, damper and sampling rate change the largest stiffness.",
+        "A passive wall is stable with every spring and damper that an arm may add, but it is "
+        "less stiff. This part compares the maximum stiffness of passive and stable walls, with "
+        "the damping that counts for each. It shows what happens when the stiffness of a wall "
+        "is reduced, when a spring reaches the Nyquist frequency, and when spring, damper and "
+        "sampling rate change.",
     ),
     Part(
         "Fractional delays",
         ("6",),
-        "Measured delays are seldom whole multiples of the period. The force then changes within "
-        "the period, and the power $z^{-d}$ no longer says what happens. In this part the late "
-        "force is sampled exactly, for every delay $(\\ell+\\varepsilon)T$; passivity, stability "
-        "and their boundaries are derived once more, and held against what a power of $z$ says.",
+        "Measured delays are seldom integer multiples of the period. The force then changes "
+        "within a period, and the power $z^{-d}$ is only an approximation. In this part the "
+        "delayed force is sampled exactly, for every delay $(\\ell+\\varepsilon)T$. Passivity, "
+        "stability and their boundaries are derived again and compared with the approximation.",
     ),
     Part(
         "Rules in circulation",
         ("8",),
-        "People limit the stiffness of a wall by rules that are shorter than the formulas of this "
-        "book. In this part each of them is a statement like those of the paper, with who uses it: "
-        "is what it allows stable, for which walls, and if not, which wall shows it? The last "
-        "chapter says which rule to use when.",
+        "In practice the stiffness of a wall is often limited by rules that are shorter than "
+        "the formulas of this book. In this part each rule is a statement like those of the "
+        "paper, with its users: for which walls is it safe, and which wall is a counterexample? "
+        "The last chapter says which rule to use when.",
     ),
     Part(
         "Other loops",
         ("10",),
-        "Real loops filter their velocity, turn a mass over in a simulator, count the position in "
-        "steps of an encoder, or drive it with an actuator that lags. Each chapter of this part "
-        "derives one such loop from physics, finds which of its walls are passive or stable, and "
-        "asks what the rules in circulation are worth there.",
+        "Real loops have a velocity filter, a simulated mass, an encoder with finite "
+        "resolution, or an actuator with a lag. Each chapter of this part derives one such loop "
+        "from physics, finds its passive or stable walls, and tests the rules of thumb for it.",
     ),
     Part(
         "Forms for computing",
         ("9",),
-        "A formula that is right may still be useless to a computer: where it is 0/0, and close to "
-        "there, where what cancels takes the digits along. What is computed, and exported, is "
-        "therefore written in other functions. In this part each formula that is computed is held "
-        "against the one that was derived; of a value that is searched for, what its search goes "
-        "by. A last digit that is wrong is another matter: it is measured, and no theorem.",
+        "A formula that is right may still be useless in floating-point arithmetic: it can be "
+        "0/0, or lose digits by cancellation. The computed and exported forms are therefore "
+        "written in other functions. In this part each computed formula is proved equal to the "
+        "derived one; for a value that is found by a search, the criterion of the search is. "
+        "Round-off errors are measured and are not part of a theorem.",
     ),
     Part(
         "What is wrong",
         ("7",),
-        "Most slips come up where the formula is derived. Those that belong to no derivation are "
-        "collected here; the errata behind this part have all of them, each with what is right.",
+        "Most errors of the paper appear where the formula is derived. Those that belong to no "
+        "derivation are collected here. The errata that follow this part list all of them, each "
+        "with the correct result.",
     ),
 )
 """In the order of the book."""

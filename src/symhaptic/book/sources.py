@@ -16,13 +16,13 @@ import sympy as sp
 from symhaptic import paper, rules
 from symhaptic.notation import SYMBOLS
 from symhaptic.notation.latex import refused
-from symhaptic.notation.proposition import Proposition, Relation, proposition
+from symhaptic.notation.proposition import Predicate, Proposition, Relation, proposition
 from symhaptic.notation.written import written
 from symhaptic.paper.propositions import CLAIMED as REGISTERED
 from symhaptic.paper.propositions import Claim
 from symhaptic.paper.reading import Printed, Unreadable, read, sides_of, signs_of
 from symhaptic.paper.statement import Source, Statement
-from symhaptic.proof.theorems.judge import of_print, taken_apart
+from symhaptic.proof.theorems.judge import of_print, supposed, taken_apart
 from symhaptic.rules import claims as _claims  # noqa: F401  registered there
 from symhaptic.rules import other_loops as _other_loops  # noqa: F401  registered there, too
 
@@ -59,10 +59,12 @@ def add(source: Source, statements: Iterable[Statement]) -> Source:
     """
     for side in zip(*source.notation, strict=True):
         if twice := [word for word in side if side.count(word) > 1]:
-            raise ValueError(f"the notation has {twice[0]!r} twice on a side; once is allowed")
+            raise ValueError(f"the notation has {twice[0]!r} twice on a side; give it once")
     for tex, name in source.notation:
         if name not in SYMBOLS:
-            raise ValueError(f"the notation has {name!r} for {tex!r}; a symbol of ours is allowed")
+            raise ValueError(
+                f"the notation has {name!r} for {tex!r}; give a symbol of symhaptic.notation"
+            )
     named = source.key.isidentifier() and source.key.isascii()
     if not named or any(source.key == other.key for other in SOURCES):
         raise ValueError(
@@ -108,9 +110,11 @@ def add(source: Source, statements: Iterable[Statement]) -> Source:
 def _of_source(statement: Statement, claim: Claim, printed: Printed) -> Proposition:
     """What a user's source claims of a print, under hypotheses that the source states."""
     made = claim(printed)
-    _, given, _ = taken_apart(made)
+    _, given, then = taken_apart(made)
     stated = (*statement.given, *map(proposition, printed if statement.condition else ()))
-    for hypothesis in given:
+    if statement.condition:  # an example shows that these can hold
+        stated += tuple(h for h in given if isinstance(h, Predicate) and h.name != "whole")
+    for hypothesis in (*given, *supposed(then)):
         if hypothesis not in stated and not _in_domain(hypothesis):
             raise ValueError(
                 f"the claim supposes {written(hypothesis)}, which the source does not state; give "

@@ -20,11 +20,13 @@ from symhaptic.bench.exact import EXACT
 from symhaptic.check.checked import FLAT, Argument, Checked, Point
 from symhaptic.kernels import haptic
 from symhaptic.numeric import passivity
+from symhaptic.numeric.arguments import IN_ORDER
 from symhaptic.numeric.boundary import stability_boundary
 from symhaptic.numeric.compiled import of
 from symhaptic.numeric.linear import linear_limit
 from symhaptic.numeric.plant import discretize, discretize_fractional
 from symhaptic.numeric.stability import is_stable, unstable_roots
+from symhaptic.numeric.tracing.extremes import limit_at
 
 At = dict[str, Any]
 _NO_FRACTION = "fractional delays: the published equation is for integer ones"
@@ -170,6 +172,62 @@ def _stiffest(gamma: Any, delta: Any, d: float) -> tuple[Any, ...]:
 
 _INSIDE = 1e-6
 """A wall by so much softer than the largest stable stiffness has to be stable."""
+
+
+@cache
+def _limit(beta: float, gamma: float, delta: float, d: float) -> tuple[Any, ...]:
+    """The largest stable stiffness with a damping, on the boundary or on the line of a root at -1.
+
+    Softer walls are stable, stiffer ones are not.
+    """
+    nothing, plant = (None, None), (gamma, delta, d)
+    rough, angle = map(float, limit_at(beta, *plant))
+    if not (_is_simple(*plant) and math.isfinite(rough)):
+        return nothing
+    if angle == math.pi:
+        whole = math.floor(d)
+        x = winding.plant(gamma, delta, arb(d) - whole)
+        found = (-1) ** (whole % 2) * (1 + x.a + x.e) / (x.m2 - x.m1 + x.m0) - 2 * arb(beta)
+        theta = arb.pi()
+    else:
+        theta = _angle_of(beta, plant, angle)
+        found = arb("nan") if theta is None else EXACT["stability_boundary"](theta, *plant)[0]
+    if not found.is_finite():
+        return nothing
+    size = float(found) + gamma
+    walls = (float(found) + by * size for by in (-_INSIDE, _INSIDE, 0.3, 1.0, 4.0, 20.0))
+    softer, *stiffer = (winding.stable(wall, beta, *plant) for wall in walls)
+    return nothing if not softer or any(one is not False for one in stiffer) else (found, theta)
+
+
+def _angle_of(beta: float, plant: Point, angle: float) -> arb | None:
+    """The angle near a given one at which the boundary has a damping, by secants, then enclosed."""
+
+    def over(theta: arb) -> arb:
+        return EXACT["stability_boundary"](theta, *plant)[1] - beta
+
+    one, two = arb(angle), arb(angle) * (1 - arb(2) ** -30)
+    for _ in range(6):
+        rise = over(two) - over(one)
+        if rise.contains(0):
+            break
+        one, two = two, (two - over(two) * (two - one) / rise).mid()
+    near = two * arb(2) ** -90
+    at_low, at_high = over(two - near), over(two + near)
+    return two + arb(0, near) if at_low * at_high < 0 else None
+
+
+def _limit_sizes(beta: float, gamma: float, delta: float, d: float) -> tuple[float, float]:
+    """Sizes of the terms of the boundary, and what an error of its damping does to the rest."""
+    plant = gamma, delta, d
+    alpha, theta = map(float, limit_at(beta, *plant))
+    if not theta < math.pi:
+        return abs(alpha) + abs(beta) + gamma, 1.0
+    ends = theta * (1 - 1e-6), theta * (1 + 1e-6)
+    (low_K, low_B), (high_K, high_B) = (stability_boundary(end, *plant) for end in ends)
+    of_K, of_B = _curve(theta, *plant)
+    per_B = abs(of_B / (high_B - low_B))
+    return of_K + abs(high_K - low_K) * per_B, theta + 2e-6 * theta * per_B
 
 
 def _not_stiffest(point: Point, got: Sequence[float]) -> str:
@@ -330,6 +388,16 @@ FUNCTIONS = (
             lambda g, dl, d: (g + 1 / (d + 1) ** 2, FLAT * (1 + g), FLAT + 0 * d), balls=300,
             flat=("beta", "theta"), derived=_softer, precisions=1,
             refused=lambda *plant: not _is_simple(*plant), refutes=_not_stiffest, open=(_STIFF,)),
+    Checked("limit_at",
+            _args("beta gamma delta d",
+                  beta=replace(ARGUMENTS["beta"], least=1e-8, most=2.0),
+                  gamma=replace(ARGUMENTS["gamma"], most=1e3),
+                  delta=replace(ARGUMENTS["delta"], most=100.0),
+                  d=replace(ARGUMENTS["d"], most=1e3)), ("alpha", "theta"), _limit, None,
+            _limit_sizes, balls=120, derived=_softer, precisions=1,
+            refused=lambda *at: _limit(*at)[0] is None,
+            open=(_STIFF.partition(";")[0].replace("beta and theta", "limits"),
+                  "dampings at which no wall is stable")),
     *(Checked(name, _SOFT, ("d",), _largest_delay, None, balls=120, derived=_on_curve,
               precisions=1, open=("delay margins above 1e+06 periods",))
       for name in ("delay_margin", "max_delay")),
@@ -418,18 +486,18 @@ def _swings(k: Any, b: Any, m: Any) -> Any:
 
 # fmt: off
 EQUATIONS = (
-    _unit("eq5", "passivity_margin_at", _args("K B T omega d", d=WHOLE), ("b",),
+    _unit("eq5", "passivity_margin_at", _args(IN_ORDER["eq5"], d=WHOLE), ("b",),
           lambda K, B, T, omega, d: (omega * T, K * T, B, 0.0, d), lambda v, *_: (-v[0],),
           _published_at, printed="eq5", derived=_in_si, open=(_NO_FRACTION,)),
-    _closed("eq6", "K B T", "b", lambda K, B, T: K * T / 2 + abs(B),
+    _closed("eq6", IN_ORDER["eq6"], "b", lambda K, B, T: K * T / 2 + abs(B),
             lambda K, B, T: K * T / 2 + abs(B)),
-    _unit("eq7", "passivity_boundary", _args("b T omega d", d=WHOLE), ("K", "B"),
+    _unit("eq7", "passivity_boundary", _args(IN_ORDER["eq7"], d=WHOLE), ("K", "B"),
           lambda b, T, omega, d: (omega * T, b, d), lambda v, b, T, *_: (v[0] / T, v[1]),
           _published_envelope, printed="eq7", derived=_just_passive,
           open=(_NO_FRACTION, "frequencies at which no wall is just passive")),
-    _closed("eq9", "b B T d", "K", lambda b, B, T, d: (b + B) / ((d + 0.5) * T),
+    _closed("eq9", IN_ORDER["eq9"], "K", lambda b, B, T, d: (b + B) / ((d + 0.5) * T),
             lambda b, B, T, d: (b + abs(B)) / ((d + 0.5) * T), open=(_NO_FRACTION,)),
-    _unit("eq11", "max_passive_stiffness", _args("b T d", d=WHOLE), ("K", "B"),
+    _unit("eq11", "max_passive_stiffness", _args(IN_ORDER["eq11"], d=WHOLE), ("K", "B"),
           lambda b, T, d: (b, d), lambda v, b, T, d: (v[0] / T, v[1]),
           lambda delta, d: (delta * (d + 1),) * 2, printed="eq11", open=(_NO_FRACTION,)),
     _unit("eq12", "discretize",
@@ -438,11 +506,11 @@ EQUATIONS = (
           lambda b, k, m, T: (k * T**2 / m, b * T / m),
           lambda v, b, k, m, T: (v[0] * T**2 / m, v[1] * T**2 / m, v[2], v[3]),
           printed="eq12", derived=_in_si),
-    _closed("eq24", "b B t_d T", "K", lambda b, B, t_d, T: (b + B) / (t_d + T / 2),
+    _closed("eq24", IN_ORDER["eq24"], "K", lambda b, B, t_d, T: (b + B) / (t_d + T / 2),
             lambda b, B, t_d, T: (b + abs(B)) / (t_d + T / 2)),
-    _closed("eq28", "k b m", "omega", _swings,
+    _closed("eq28", IN_ORDER["eq28"], "omega", _swings,
             lambda k, b, m: k / m / np.sqrt(np.maximum(k / m - (b / m / 2) ** 2, 1e-16 * k / m)),
-            arguments=_args("k b m", b=Argument(0.0, 0.999, 1e-9, 1 - 1e-6)),
+            arguments=_args(IN_ORDER["eq28"], b=Argument(0.0, 0.999, 1e-9, 1 - 1e-6)),
             derived=_below_critical,
             open=("devices that do not swing, of which it has no value",)),
     _unit("scene.max_stable_stiffness", "max_stable_stiffness",

@@ -6,7 +6,7 @@ import json
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -195,12 +195,22 @@ def _beside_multiple(gamma: Any, delta: Any) -> Any:
     return (swing > 0.5) & (abs(swing - np.round(swing)) <= _CLOSE * swing)
 
 
-_KINDS: tuple[tuple[str, str, Callable[..., Any]], ...] = (
+class _Kind(NamedTuple):
+    """A kind of points."""
+
+    words: str
+    arguments: str
+    inside: Callable[..., Any]
+    fractional: bool = False
+    """Whether they have fractional delays: a formula for whole delays has no such points."""
+
+
+_KINDS = tuple(_Kind(*kind) for kind in (
     ("no delay", "d", lambda d: d == 0),
     ("integer delays", "d", lambda d: (d > 0) & (d == np.floor(d))),
-    ("fractional delays", "d", lambda d: d != np.floor(d)),
+    ("fractional delays", "d", lambda d: d != np.floor(d), True),
     ("delays next to an integer", "d",
-     lambda d: (d != np.floor(d)) & (abs(d - np.round(d)) <= _CLOSE)),
+     lambda d: (d != np.floor(d)) & (abs(d - np.round(d)) <= _CLOSE), True),
     ("delays above 100 periods", "d", lambda d: d > 100),
     ("no device stiffness", "gamma", lambda gamma: gamma == 0),
     ("natural frequencies above pi/T", "gamma", lambda gamma: gamma > np.pi**2),
@@ -213,8 +223,7 @@ _KINDS: tuple[tuple[str, str, Callable[..., Any]], ...] = (
     ("angles next to pi", "theta", lambda theta: theta > np.pi - _CLOSE),
     ("negative wall stiffness", "alpha", lambda alpha: alpha < 0),
     ("negative wall damping", "beta", lambda beta: beta < 0),
-)  # fmt: skip
-"""Kinds of points: words, arguments and a condition."""
+))  # fmt: skip
 
 
 def covered(found: Found) -> dict[str, Any]:
@@ -226,10 +235,12 @@ def covered(found: Found) -> dict[str, Any]:
     columns = np.array(found.points.all[: found.called]).T
     at = dict(zip(checked.arguments, columns, strict=True))
     sizes = _sizes(at)
+    delay = checked.arguments.get("d")
+    whole = delay is not None and delay.whole
     kinds = {
-        words: int(inside(*(sizes[name] for name in names.split())).sum())
-        for words, names, inside in _KINDS
-        if sizes.keys() >= set(names.split()) and _may(checked, words)
+        kind.words: int(kind.inside(*(sizes[name] for name in kind.arguments.split())).sum())
+        for kind in _KINDS
+        if sizes.keys() >= set(kind.arguments.split()) and not (whole and kind.fractional)
     }
     seen = {i for i, _, _ in found.looked}
     far = [d for i, d in enumerate(found.points.distance[: found.called]) if i in seen and d == d]
@@ -248,12 +259,6 @@ def covered(found: Found) -> dict[str, Any]:
         "beside": {f"{d:.0e}": far.count(d) for d in sorted(set(far))},
         "missing": missing,
     }
-
-
-def _may(checked: Checked, words: str) -> bool:
-    """Whether the function has such points: one of whole delays has none with fractional ones."""
-    delay = checked.arguments.get("d")
-    return delay is None or not delay.whole or not words.startswith(("fract", "delays next"))
 
 
 def _sizes(at: dict[str, Any]) -> dict[str, Any]:

@@ -28,6 +28,7 @@ class TraceFormat(StrEnum):
     json = "json"
     png = "png"
     svg = "svg"
+    pdf = "pdf"
 
 
 @app.command()
@@ -84,7 +85,7 @@ def trace(
     from symhaptic.numeric.tracing.region import stable_region
 
     format = format_of(output, format)
-    drawn = format in (TraceFormat.png, TraceFormat.svg)
+    drawn = format in (TraceFormat.png, TraceFormat.svg, TraceFormat.pdf)
     if drawn and output is None:
         refuse(f"--format {format}: needs -o FILE; csv and json can be printed")
     if drawn:
@@ -232,7 +233,7 @@ def export(
                 typer.echo(f"{form.name}({args})\n    {form.title}")
             return
         if target is None:
-            refuse(f"--target: is needed; allowed are {', '.join(TARGETS)}")
+            refuse(f"--target: is needed; give one of {', '.join(TARGETS)}")
         language = request.target(target, precision)
         folder = output or Path(f"{name}-{target}")
         _, files = request.built(language, forms, name)
@@ -275,9 +276,9 @@ def format_of(output: Path | None, given: TraceFormat | None) -> TraceFormat:
         return given or TraceFormat.csv
     if given is None and ending not in TraceFormat.__members__:
         every = ", ".join(f".{name}" for name in TraceFormat)
-        refuse(f"-o {output}: its ending names no format; allowed are {every}, or none")
+        refuse(f"-o {output}: its ending names no format; give one of {every}, or none")
     if given not in (None, ending):
-        refuse(f"-o {output}: does not end as --format {given} does; .{given} is allowed, or none")
+        refuse(f"-o {output}: does not end as --format {given} does; give .{given}, or none")
     return TraceFormat(ending)
 
 

@@ -30,7 +30,7 @@ def chapters_in(folder: Path) -> list[Path]:
     from symhaptic.book.chapters import SOURCE_FILE, BadChapter, readable, source_beside
 
     if not (folder / SOURCE_FILE).is_file():
-        refuse(f"--source {folder}: has no {SOURCE_FILE}; a folder with one is allowed")
+        refuse(f"--source {folder}: has no {SOURCE_FILE}; give a folder with one")
     paths = [path for path in sorted(folder.glob("*.py")) if path.name != SOURCE_FILE]
     if not paths:
         refuse(f"--source {folder}: has no chapter beside {SOURCE_FILE}")

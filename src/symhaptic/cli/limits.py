@@ -72,7 +72,7 @@ def limits(
 
     writable(output)
     if output is not None and output.resolve() == device.resolve():
-        refuse(f"-o {output}: is what is read here; another file is allowed")
+        refuse(f"-o {output}: is what is read here; give another file")
     said, into = asked(output, format)
     if into in DRAWN:
         can_draw(f"-o {output}")
@@ -119,7 +119,7 @@ def asked(
         every = ", ".join(f".{name}" for name in ENDINGS)
         refuse(f"-o {output}: {output.suffix!r} is not allowed; give {every}")
     if given not in (None, into) and (given in DRAWN or into not in DRAWN):
-        refuse(f"-o {output}: does not end as --format {given} does; .{given} is allowed, or none")
+        refuse(f"-o {output}: does not end as --format {given} does; give .{given}, or none")
     return plain or (LimitsFormat.text if into in DRAWN else into), into
 
 
@@ -131,10 +131,10 @@ def picture(found: Device, safe: SafeWalls | None, format: LimitsFormat, chart: 
     from matplotlib import pyplot
 
     from symhaptic.scene.chart import draw_chart
-    from symhaptic.scene.picture import draw
+    from symhaptic.scene.picture import draw, new_axes
     from symhaptic.scene.safe import draw_safe
 
-    figure, axes = pyplot.subplots(figsize=(7.2, 4.4), layout="constrained")
+    axes = new_axes("limits")
     if chart:
         draw_chart(axes, found.scene, found.wall)
     elif safe is None:
@@ -144,8 +144,8 @@ def picture(found: Device, safe: SafeWalls | None, format: LimitsFormat, chart: 
     drawn = BytesIO()
     dated = {"svg": "Date", "pdf": "CreationDate"}
     metadata = {dated[format]: None} if format in dated else {}
-    with pyplot.rc_context({"svg.hashsalt": "symhaptic"}):
-        figure.savefig(drawn, format=format, dpi=150, metadata=metadata)
+    pyplot.savefig(drawn, format=format, metadata=metadata)
+    pyplot.close("all")
     return drawn.getvalue()
 
 

@@ -92,7 +92,7 @@ def clearer(said: str) -> str:
         ]  # dashes alone are no likeness
         said = option[0] + (f"; did you mean {', '.join(f'--{n}' for n in near)}?" if near else "")
     said = re.sub(r"\. Did you mean (.*)\?", r"; did you mean \1?", said).rstrip(".")
-    return f"{said}{' ' if said.endswith('?') else '; '}allowed is what --help lists"
+    return f"{said}{' ' if said.endswith('?') else '; '}see --help"
 
 
 def _warned(message: Warning | str, *_: Any, **__: Any) -> None:
@@ -114,7 +114,7 @@ def once(command: Any, given: list[str]) -> None:
             continue
         names = [word[:2] if word[1:2] != "-" else word.partition("=")[0] for word in before]
         if sum(name in option.opts for name in names) > 1:
-            refuse(f"{option.opts[0]}: is given more than once; one value is allowed")
+            refuse(f"{option.opts[0]}: is given more than once; give one value")
 
 
 def somewhere(command: Any, given: list[str]) -> None:
@@ -207,7 +207,7 @@ def main() -> None:
         if wrong.errno not in FULL or wrong.filename is not None:
             raise
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what is left is not tried again at the end
-        said = f"cannot write the result ({wrong.strerror}); another place is allowed"
+        said = f"cannot write the result ({wrong.strerror}); give another place"
         typer.echo(f"symhaptic: error: standard output: {said}", err=True)
         raise SystemExit(2) from None
     raise SystemExit(status if isinstance(status, int) else 0)

@@ -47,9 +47,7 @@ def mutants(
         )
     writable(output)
     if output is not None and not trials.ours(output):
-        refuse(
-            f"-o {output}: is there and not written by `symhaptic mutants`; another name is allowed"
-        )
+        refuse(f"-o {output}: is there and not written by `symhaptic mutants`; give another name")
     found = []
     try:
         for trial in trials.trials(own or chapters.shipped(), workers):

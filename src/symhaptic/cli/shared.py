@@ -85,7 +85,7 @@ def only_listed(**given: object) -> None:
 
 def unwritable(output: Path, reason: str | None) -> NoReturn:
     """End with one line that says why nothing can be written there."""
-    refuse(f"-o {output}: cannot write there ({reason}); a file in a folder that exists is allowed")
+    refuse(f"-o {output}: cannot write there ({reason}); give a file in a folder that exists")
 
 
 def folder_allowed(output: Path, option: str = "-o") -> None:
@@ -111,7 +111,7 @@ def folder_allowed(output: Path, option: str = "-o") -> None:
 def no_folder(output: Path, reason: str | None, option: str = "-o") -> NoReturn:
     """End with one line that says why no folder of results can be there."""
     where = f"{option} {output}"
-    refuse(f"{where}: cannot write there ({reason}); a folder that can be written is allowed")
+    refuse(f"{where}: cannot write there ({reason}); give a folder that can be written")
 
 
 @contextmanager

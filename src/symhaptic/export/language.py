@@ -260,8 +260,6 @@ class Printing(CodePrinter):  # type: ignore[misc]
         """An expression as source code, where nothing stands beside it."""
         return bare(self.doprint(expr))
 
-    _print_Mul = CodePrinter._print_Mul  # noqa: N815
-
     def _as_ordered_terms(self, expr: Expr, order: str | None = None) -> list[Expr]:
         """SymPy's order, but x - y for -y + x, which is the same float."""
         first, second, *others = super()._as_ordered_terms(expr, order)

@@ -73,12 +73,12 @@ def chosen(
     With derivatives by these arguments, where any are named; of all forms, by those that each has.
     """
     if delay is not None and not 0 <= delay <= _LONGEST:
-        raise Refused(f"--delay {delay}: whole numbers from 0 to {_LONGEST} are allowed")
+        raise Refused(f"--delay {delay}: is out of range; give an integer from 0 to {_LONGEST}")
     if delay is not None and not parts.delay:
         raise Refused(f"--delay {delay}: is not allowed with a scene that has no delay")
     if delay is not None and not any(_is_for_one_delay(n) for n in names or stable.FOR_ONE_DELAY):
         raise Refused(
-            f"--delay {delay}: changes nothing for {', '.join(names)}; allowed is it with "
+            f"--delay {delay}: changes nothing for {', '.join(names)}; give it with "
             f"{', '.join(stable.FOR_ONE_DELAY)}"
         )
     if whole_delays and not parts.delay:
@@ -149,12 +149,12 @@ def built(
     """The library and all files of an export, by name; without ``vectors`` the source alone."""
     if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or len(name) > _LETTERS:
         raise Refused(
-            f"--name {name}: is no name; a lower-case letter, then up to {_LETTERS - 1} of these, "
-            "digits and _ are allowed"
+            f"--name {name}: is no name; give a lower-case letter, then up to {_LETTERS - 1} "
+            "of these, digits and _"
         )
     taken = {"selftest", "example", "main", "python", "numpy", *(form.name for form in forms)}
     if language.reserves(name) or name in taken | language.modules:
-        raise Refused(f"--name {name}: is reserved in {language.title}; another word is allowed")
+        raise Refused(f"--name {name}: is reserved in {language.title}; give another word")
     made = library(name, TITLE, forms, language)
     files = language.source(made)
     if not vectors:
@@ -208,7 +208,7 @@ def _kept(files: Iterable[str], folder: Path) -> list[Path]:
     """What is in the folder of an older export and not its own, folders included; nothing that
     is to be written may be in its place."""
     if folder.is_symlink() or (folder.exists() and not folder.is_dir()):
-        raise Refused(f"-o {folder}: is no folder; a new or an empty one is allowed")
+        raise Refused(f"-o {folder}: is no folder; give a new or an empty one")
     if not folder.exists():
         return []
     listing = folder / LISTING
@@ -222,8 +222,8 @@ def _kept(files: Iterable[str], folder: Path) -> list[Path]:
         loose = path.is_symlink() or not path.is_dir()
         if loose and (not own or _meets(inside, files)):
             raise Refused(
-                f"-o {folder}: holds other files ({inside.as_posix()}); a new, an empty or an "
-                "earlier export's folder is allowed"
+                f"-o {folder}: holds other files ({inside.as_posix()}); give a new or empty "
+                "folder, or that of an earlier export"
             )
         kept.append(path)
     return kept

@@ -160,22 +160,6 @@ def _dyadic(bound: Fraction, bits: int) -> str:
     return f"{math.floor(bound * 1024)}b-{bits + 10}"
 
 
-_BY_FIELD = (
-    "intros; field; repeat split; first [assumption | intro Z; match goal with "
-    "H : _ <> _ |- _ => apply H; rewrite Z; ring end]."
-)
-"""A quotient rewritten; where a product is not zero, no factor is."""
-
-
-def for_coq(proof: str) -> str:
-    """What `gappa -Bcoq` writes, with each rewriting that it was told of shown, and not assumed."""
-    shown = re.sub(
-        r"^Hypothesis (\w+ : .*?\.)$", rf"Lemma \1\nProof. {_BY_FIELD} Qed.", proof, flags=re.M
-    )
-    last = re.findall(r"^Lemma (\w+)", proof, flags=re.M)[-1]
-    return f"Require Import Reals.\n{shown.rstrip()}\nPrint Assumptions {last}.\n"
-
-
 def told(found: list[Goal], precision: Precision) -> list[str]:
     """What a README says of what is proved."""
     if not found:
@@ -196,7 +180,7 @@ def told(found: list[Goal], precision: Precision) -> list[str]:
     ]
 
 
-__all__ = ["Goal", "for_coq", "goals", "told"]
+__all__ = ["Goal", "goals", "told"]
 
 
 # -- One result of C's arithmetic for Gappa: definitions, ranges and hints, while collected ------

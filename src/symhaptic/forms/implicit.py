@@ -279,11 +279,6 @@ class Rated(ImplicitFunction, nargs=2):
 MAX_STIFFNESS_SPRING = sp.Rational(98, 10)
 """Up to this gamma, just below pi^2, the first maximum is trusted to be the largest."""
 
-MAX_STIFFNESS_ARGUMENTS = sp.symbols(
-    "gamma delta d l part first last at_one at_minus_one loss together apart"
-)
-"""The plant, the delay and its parts, and n1 and n0, or m2 and m0, with the values at 1 and -1."""
-
 _TRIED = 48
 """Angles at which the first maximum is looked for."""
 
@@ -298,12 +293,14 @@ class MaxStiffnessAngle(ImplicitFunction, nargs=12):
     at pi for delays below one period; NaN where that does not border the stable region, for
     gamma > 9.8, and for sqrt(gamma) (d + 1) > pi with d > 1
 
-    Of :data:`MAX_STIFFNESS_ARGUMENTS`.
+    Its arguments are gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss, together
+    and apart: the plant, the delay and its parts, and n1 and n0, or m2 and m0, with their values at
+    1 and -1.
     """
 
     @property
     def parts(self) -> tuple[sp.Expr, ...]:
-        """What it is of, as in :data:`MAX_STIFFNESS_ARGUMENTS`."""
+        """Its arguments."""
         return tuple(self.args)
 
     @cacheit  # type: ignore[untyped-decorator]

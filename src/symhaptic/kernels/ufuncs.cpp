@@ -140,7 +140,7 @@ int add(PyObject *module, const char *name, const char *about) {
 
 #define ONE(name, about, ...) \
     {"one_" #name, (PyCFunction)(void (*)(void))one<haptic_##name, __VA_ARGS__>, METH_FASTCALL, \
-     "The same of numbers; None where one is none or is out of range, or a result is NaN."},
+     "Scalar version; None if an argument is no number or out of range, or a result is NaN."},
 
 PyMethodDef functions[] = {
     KERNELS(ONE)

@@ -2,13 +2,13 @@
 
    The same steps, in the same order: where |A| = |W| and where A and W cross the real axis, as roots
    of polynomials in x = 2 - 2 cos(theta); on the arcs between, turns of the larger part and
-   principal values at both ends. */
+   principal values at both ends.  An arc on which the parts themselves tell otherwise is halved. */
 
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 #include <math.h>
 
-enum { SIZE = 17, ENDS = 3 * SIZE + 2 };
+enum { SIZE = 17, ENDS = 3 * SIZE + 2, DEEPEST = 50 };
 
 static const double PI = 3.141592653589793238;
 
@@ -161,6 +161,64 @@ static void sort(double *x, int n)
     }
 }
 
+typedef struct { const double *A, *W; int a, w; double M, nearest; } loop;
+
+/* values on the circle; late is z^M A, and apart |p|^2 over the larger part */
+typedef struct { double theta, apart; point device, wall, late; } place;
+
+static place in_the_middle(const loop *p, double one, double two)
+{
+    double theta = (one + two) / 2, s = sin(theta / 2);
+    point on = {-2 * s * s, sin(theta)};
+    return (place){theta, 0, value(p->A, p->a, on), value(p->W, p->w, on), {0, 0}};
+}
+
+/* an end of an arc: z^M A there, and how near p comes to 0 */
+static void ends_there(loop *p, place *end)
+{
+    point spin = {cos(p->M * end->theta), sin(p->M * end->theta)}, of = end->device;
+    end->late = (point){of.re * spin.re - of.im * spin.im, of.re * spin.im + of.im * spin.re};
+    point both = {end->late.re + end->wall.re, end->late.im + end->wall.im};
+    double larger = fmax(size(of), size(end->wall));
+    end->apart = larger > 0 ? size(both) / larger : 0;
+    p->nearest = fmin(p->nearest, end->apart);
+}
+
+/* whether |a| >= |b| at an end, but for rounding: by so much less than p is apart from 0 there */
+static int outweighs(point a, point b, const place *end)
+{
+    return size(b) <= size(a) * (1 + 1e-14 + 1e-9 * end->apart);
+}
+
+/* whether both are in one half plane, but for rounding, or less than a right angle apart */
+static int on_one_side(point a, point b)
+{
+    return a.im * b.im >= 0 || a.re * b.re + a.im * b.im > 0
+        || a.im * a.im < 1e-20 * size(a) || b.im * b.im < 1e-20 * size(b);
+}
+
+/* the turn of p on an arc, in halves until no part changes its side and the larger one stays so */
+static double turned(loop *p, const place *one, const place *two, int depth)
+{
+    place mid = in_the_middle(p, one->theta, two->theta);
+    int leads = size(mid.device) >= size(mid.wall);
+    int fits = leads
+        ? outweighs(one->device, one->wall, one) && outweighs(two->device, two->wall, two)
+        : outweighs(one->wall, one->device, one) && outweighs(two->wall, two->device, two);
+    fits = fits && on_one_side(one->device, mid.device) && on_one_side(mid.device, two->device)
+        && on_one_side(one->wall, mid.wall) && on_one_side(mid.wall, two->wall);
+    if (!fits && depth < DEEPEST) {
+        ends_there(p, &mid);
+        return turned(p, one, &mid, depth + 1) + turned(p, &mid, two, depth + 1);
+    }
+    if (leads)
+        return turn(one->device, mid.device) + turn(mid.device, two->device)
+            + p->M * (two->theta - one->theta)
+            + beside(two->late, two->wall) - beside(one->late, one->wall);
+    return turn(one->wall, mid.wall) + turn(mid.wall, two->wall)
+        + beside(two->wall, two->late) - beside(one->wall, one->late);
+}
+
 static void count(
     const double *A, int a, const double *W, int w, double M, const double *of_A, int many,
     const double *square, double *inside, double *near)
@@ -180,33 +238,19 @@ static void count(
         x[ends++] = of_A[k];
     sort(x, ends);
     x[ends++] = 4;
-    double turned = 0, nearest = INFINITY, theta = 0;
-    point device = {0, 0}, wall = {0, 0}, late = {0, 0};
+    loop p = {A, W, a, w, M, INFINITY};
+    place before = {0};
+    double sum = 0;
     for (int k = 0; k < ends; k++) {
-        double now = 2 * atan2(sqrt(x[k]), sqrt(4 - x[k])), half = (now + theta) / 2;
         point on = {-x[k] / 2, sqrt(x[k] * (4 - x[k])) / 2};
-        point mine = value(A, a, on), its = value(W, w, on);
-        point spin = {cos(M * now), sin(M * now)};
-        point after = {mine.re * spin.re - mine.im * spin.im, mine.re * spin.im + mine.im * spin.re};
-        point both = {after.re + its.re, after.im + its.im};
-        double larger = fmax(size(mine), size(its));
-        double apart = larger > 0 ? size(both) / larger : 0;
-        nearest = fmin(nearest, apart);
-        if (k > 0) {
-            double s = sin(half / 2);
-            point mid = {-2 * s * s, sin(half)};
-            point of_device = value(A, a, mid), of_wall = value(W, w, mid);
-            if (size(of_device) >= size(of_wall))
-                turned += turn(device, of_device) + turn(of_device, mine) + M * (now - theta)
-                          + beside(after, its) - beside(late, wall);
-            else
-                turned += turn(wall, of_wall) + turn(of_wall, its)
-                          + beside(its, after) - beside(wall, late);
-        }
-        theta = now, device = mine, wall = its, late = after;
+        place end = {2 * atan2(sqrt(x[k]), sqrt(4 - x[k])), 0, value(A, a, on), value(W, w, on), {0, 0}};
+        ends_there(&p, &end);
+        if (k > 0)
+            sum += turned(&p, &before, &end, 0);
+        before = end;
     }
-    *inside = turned / PI;
-    *near = sqrt(nearest);
+    *inside = sum / PI;
+    *near = sqrt(p.nearest);
 }
 
 /* rows of doubles: A and M once or for each wall, W, and room for both results */

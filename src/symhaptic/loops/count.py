@@ -48,25 +48,63 @@ def roots_inside(loop: Loop, K: Array, B: Array) -> tuple[Array, Array]:
     W = loop.wall(K, B)
     if _count is not None and not loop.in_z and max(W.shape[-1], loop.A.shape[-1]) <= _MOST:
         return _compiled(loop, W, K.shape)
-    A = np.broadcast_to(loop.A, (*K.shape, loop.A.shape[-1]))
-    theta = _arcs(A, W, loop.in_z)
-    device, wall = _both(A, W, theta, loop.in_z)
-    late = np.exp(1j * whole[..., None] * theta) * device
-    leads = np.abs(device[..., 1::2]) >= np.abs(wall[..., 1::2])  # in the middle of each arc
-    with np.errstate(divide="ignore", invalid="ignore"):
-        after_device, after_wall = np.angle(1 + wall / late), np.angle(1 + late / wall)
-        larger = np.maximum(np.abs(late), np.abs(wall))
-        near = np.where(larger > 0, np.abs(late + wall) / larger, 0.0)
-        turns = [np.angle(each[..., 1:] / each[..., :-1]) for each in (device, wall)]
-    of_device, of_wall = (np.nan_to_num(t[..., ::2] + t[..., 1::2]) for t in turns)
-    ends = theta[..., ::2]
+    rows = K.size
+    W = W.reshape(rows, W.shape[-1])
+    A = np.broadcast_to(loop.A, (*K.shape, loop.A.shape[-1])).reshape(rows, loop.A.shape[-1])
+    delays, ends = whole.reshape(rows, 1), _ends(A, W, loop.in_z)
+    inside, near, left = np.empty(rows), np.empty(rows), np.arange(rows)
+    for deep in range(_DEEPEST + 1):
+        inside[left], near[left], middles = _turned(A, W, delays, ends, loop.in_z)
+        again = np.isfinite(middles).any(axis=-1)
+        if not again.any() or deep == _DEEPEST:
+            break
+        A, W, delays, left = A[again], W[again], delays[again], left[again]
+        added = np.sort(middles[again], axis=-1)
+        added = added[:, : np.isfinite(added).sum(axis=-1).max()]
+        ends = np.concatenate([ends[again], np.where(np.isfinite(added), added, np.pi)], axis=-1)
+        ends.sort(axis=-1)
+    return inside.reshape(K.shape), near.reshape(K.shape)
+
+
+def _turned(
+    A: Array, W: Array, whole: Array, ends: Array, in_z: bool
+) -> tuple[Array, Array, Array]:
+    """Half turns, nearness, and the middles of arcs that have to be halved; NaN for the others.
+
+    An arc fits if on all of it one part outweighs the other, and no part changes its half plane or
+    turns by more than a right angle between its ends and its middle.
+    """
+    theta = np.empty((len(ends), 2 * ends.shape[-1] - 1))
+    theta[:, ::2], theta[:, 1::2] = ends, (ends[:, 1:] + ends[:, :-1]) / 2
+    device, wall = _both(A, W, theta, in_z)
+    late = np.exp(1j * whole * ends) * device[:, ::2]
+    its = wall[:, ::2]
+    leads = np.abs(device[:, 1::2]) >= np.abs(wall[:, 1::2])
+    sizes = np.abs(late) ** 2, np.abs(its) ** 2
+    larger = np.maximum(*sizes)
+    with np.errstate(all="ignore"):
+        apart = np.where(larger > 0, np.abs(late + its) ** 2 / larger, 0.0)
+        after_device, after_wall = np.angle(1 + its / late), np.angle(1 + late / its)
+        turns = [np.angle(each[:, 1:] / each[:, :-1]) for each in (device, wall)]
+        slack = 1 + 1e-14 + 1e-9 * apart
+        most, least = (sizes[0] <= sizes[1] * slack), (sizes[1] <= sizes[0] * slack)
+    fits = np.where(leads, least[:, 1:] & least[:, :-1], most[:, 1:] & most[:, :-1])
+    for each, turn in zip((device, wall), turns, strict=True):
+        side = np.where(np.abs(each.imag) < 1e-10 * np.abs(each), 0.0, np.sign(each.imag))
+        known = (side[:, 1:] * side[:, :-1] >= 0) | (np.abs(turn) < np.pi / 2)
+        fits &= known[:, ::2] & known[:, 1::2]
+    of_device, of_wall = (np.nan_to_num(t[:, ::2] + t[:, 1::2]) for t in turns)
     turned = np.where(
         leads,
-        of_device + whole[..., None] * np.diff(ends) + _difference(after_device[..., ::2]),
-        of_wall + _difference(after_wall[..., ::2]),
+        of_device + whole * np.diff(ends) + _difference(after_device),
+        of_wall + _difference(after_wall),
     )
-    return turned.sum(axis=-1) / np.pi, near.min(axis=-1)
+    middles = np.where(fits, np.nan, theta[:, 1::2])
+    return turned.sum(axis=-1) / np.pi, np.sqrt(apart.min(axis=-1)), middles
 
+
+_DEEPEST = 50
+"""Halvings of an arc: below, its ends are next to each other."""
 
 _MOST = 17
 """Coefficients for which the compiled loop has room."""
@@ -119,20 +157,17 @@ def _both(A: Array, W: Array, theta: Array, in_z: bool) -> tuple[Complex, Comple
     )
 
 
-def _arcs(A: Array, W: Array, in_z: bool) -> Array:
-    """Ends and middles in turn of arcs on which one part outweighs the other.
+def _ends(A: Array, W: Array, in_z: bool) -> Array:
+    """Ends of arcs on which one part outweighs the other, and no part changes its half plane.
 
-    On none of them does A or W change the half plane in which it lies.
+    Where their polynomials lose digits, some of the ends are missing.
     """
-    ends = _many_ends(A, W) if in_z else _ends(A, W)
-    zero = np.zeros((*W.shape[:-1], 1))
-    ends = np.concatenate([zero, np.sort(ends, axis=-1), zero + np.pi], axis=-1)
-    theta = np.empty((*zero.shape[:-1], 2 * ends.shape[-1] - 1))
-    theta[..., ::2], theta[..., 1::2] = ends, (ends[..., 1:] + ends[..., :-1]) / 2
-    return theta
+    zero = np.zeros((len(W), 1))
+    found = _many_ends(A, W) if in_z else _few_ends(A, W)
+    return np.concatenate([zero, np.sort(found, axis=-1), zero + np.pi], axis=-1)
 
 
-def _ends(A: Array, W: Array) -> Array:
+def _few_ends(A: Array, W: Array) -> Array:
     sides = _balance(A, W), imaginary(A), imaginary(W)
     return _angle(np.concatenate([real_roots(each) for each in sides], axis=-1))
 
@@ -173,8 +208,8 @@ def _many(A: Array, W: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
     near = [beside(roots(A) + 1, _AROUND), beside(roots(W), _AROUND), grid]
     rows = (np.broadcast_to(each, (*W.shape[:-1], each.shape[-1])) for each in near)
     theta = np.sort(np.clip(np.concatenate(list(rows), axis=-1), 0.0, np.pi), axis=-1)
-    device, wall = _both(A, W, theta, True)
-    sign = np.abs(device) >= np.abs(wall)
+    theta = np.sort(np.concatenate([theta, _touching(A, W, theta)], axis=-1), axis=-1)
+    sign = _lead(A, W, theta) >= 0
     changes = sign[..., 1:] != sign[..., :-1]
     most = max(1, int(changes.sum(axis=-1).max(initial=0)))
     first = np.sort(np.argsort(~changes, axis=-1, kind="stable")[..., :most], axis=-1)
@@ -182,11 +217,44 @@ def _many(A: Array, W: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
     before = np.take_along_axis(sign, first, axis=-1)
     for _ in range(60):
         middle = (low + high) / 2
-        device, wall = _both(A, W, middle, True)
-        same = (np.abs(device) >= np.abs(wall)) == before
+        same = (_lead(A, W, middle) >= 0) == before
         low, high = np.where(same, middle, low), np.where(same, high, middle)
     return theta, high, np.take_along_axis(changes, first, axis=-1)
 
+
+def _lead(A: Array, W: Array, theta: Array) -> Array:
+    """log |A/W| at angles."""
+    device, wall = _both(A, W, theta, True)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(np.log(np.abs(device)) - np.log(np.abs(wall)))
+
+
+def _touching(A: Array, W: Array, theta: Array) -> Array:
+    """Angles next to which |A| and |W| are nearest to each other, though not equal on a grid.
+
+    There two angles of |A| = |W| may lie between neighbours of the grid.
+    """
+    lead = _lead(A, W, theta)
+    apart, sign = np.abs(lead), np.sign(lead)
+    with np.errstate(invalid="ignore"):
+        least = (apart[..., 1:-1] <= apart[..., 2:]) & (apart[..., 1:-1] <= apart[..., :-2])
+    least &= (sign[..., 1:-1] == sign[..., 2:]) & (sign[..., 1:-1] == sign[..., :-2])
+    least &= apart[..., 1:-1] < _NEARLY
+    most = int(least.sum(axis=-1).max(initial=0))
+    first = np.sort(np.argsort(~least, axis=-1, kind="stable")[..., :most], axis=-1)
+    low, high = (np.take_along_axis(theta, first + k, axis=-1) for k in (0, 2))
+    before = np.take_along_axis(sign, first + 1, axis=-1)
+    for _ in range(40):
+        one, two = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
+        left = before * _lead(A, W, one) < before * _lead(A, W, two)
+        low, high = np.where(left, low, one), np.where(left, two, high)
+    return np.asarray((low + high) / 2)
+
+
+_NEARLY = 0.1
+"""Of log |A/W|: on the grid it changes by less between neighbours next to an extremum."""
+
+_GOLDEN = (np.sqrt(5) - 1) / 2
 
 _AROUND = np.array([-9.0, -3.0, -1.0, -0.3, 0.0, 0.3, 1.0, 3.0, 9.0])
 """In units of the distance of a root from the circle, where it is looked at."""

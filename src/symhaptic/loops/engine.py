@@ -37,6 +37,9 @@ STEPS = {
 _BLOCK = 4096
 """So many walls are counted at a time: their arrays stay in the processor's cache."""
 
+_TABLE = 2_000_000
+"""So many numbers has a table of walls and angles: 16 MB."""
+
 
 _Told = Callable[[Loop, Array, Array], NDArray[Any]]
 
@@ -125,6 +128,11 @@ class Engine:
         """What walls need of the device's damping, where (4) tells it."""
         if self.no_passivity:
             raise ValueError(f"{self.no_passivity}; passivity is not told, ask for stability")
+        if self.delay > LONGEST:
+            raise ValueError(
+                f"delay: of {self.delay!r} periods is not allowed for passivity with a filter or a "
+                f"virtual mass; give at most {LONGEST} periods"
+            )
         return Needs(
             self.velocity, math.floor(self.delay), self.period, self.virtual_mass / self.mass
         )
@@ -154,8 +162,9 @@ class Engine:
         K, B = alpha.ravel(), beta.ravel()
         found = np.full(K.shape, np.nan)
         known = np.flatnonzero(~np.isnan(K) & ~np.isnan(B))
-        for start in range(0, len(known), _BLOCK // 8):
-            here = known[start : start + _BLOCK // 8]
+        size = max(1, _TABLE // len(self.needs.theta))
+        for start in range(0, len(known), size):
+            here = known[start : start + size]
             found[here] = self.delta - self.needs.required(K[here], B[here])[0]
         return found.reshape(alpha.shape)
 
@@ -169,23 +178,30 @@ class Engine:
         """The windows of the delay, in periods, in which a wall is stable.
 
         A root is on the circle where the phase between the two parts passes 0 at an angle of
-        |A| = |W|.  In a cell of the delay that phase turns by less than half a radian.
+        |A| = |W|.  In a cell of the delay that phase turns by less than half a radian.  Verdicts in
+        the middle of all pieces tell which are stable; where two of them differ and no phase passes
+        0, the end is between their middles.
         """
         fastest = self._fastest(alpha, beta)
         cells = math.ceil((last - first) * min(8.0, 2 * fastest + 1.0))
-        grid = np.linspace(first, last, cells + 2)
+        grid = self._with_births(alpha, beta, np.linspace(first, last, cells + 2))
         phase = self._phases(alpha, beta, grid)
         one, two = phase[:-1], phase[1:]
         with np.errstate(invalid="ignore"):
             there = (one * two <= 0) & (np.abs(one - two) < 2.0)
         rows, slots = np.nonzero(there)
         low, high = self._zero(alpha, beta, slots, grid[rows], grid[rows + 1])
-        # where a pair of angles comes or goes no phase tells; the verdicts of such cells do
-        other = (np.isnan(one) != np.isnan(two)).any(axis=1)
-        changed = np.concatenate([grid[:-1][other], grid[1:][other]])
-        ends = np.unique(np.concatenate([grid[[0, -1]], (low + high) / 2, changed]))
+        crossed = (low + high) / 2
+        ends = np.unique(np.concatenate([grid, crossed]))
         middles = (ends[1:] + ends[:-1]) / 2
         told = self._stable_at(alpha, beta, middles)
+        untold = np.flatnonzero((told[1:] != told[:-1]) & ~np.isin(ends[1:-1], crossed))
+        low, high = middles[untold], middles[untold + 1]
+        for _ in range(_HALVES if len(untold) else 0):
+            middle = (low + high) / 2
+            same = self._stable_at(alpha, beta, middle) == told[untold]
+            low, high = np.where(same, middle, low), np.where(same, high, middle)
+        ends[1:-1][untold] = (low + high) / 2
         found: list[tuple[float, float]] = []
         for start, end, stable in zip(ends[:-1], ends[1:], told, strict=True):
             if stable and found and found[-1][1] == start:
@@ -193,6 +209,23 @@ class Engine:
             elif stable:
                 found.append((float(start), float(end)))
         return found
+
+    def _with_births(self, alpha: float, beta: float, grid: Array) -> Array:
+        """A grid of delays with those next to which angles of |A| = |W| come and go, by halving."""
+        low, high, added = grid[:-1], grid[1:], [grid]
+        count = np.isfinite(self._equal(alpha, beta, grid)[0]).sum(axis=1)
+        at_low, at_high = count[:-1], count[1:]
+        for _ in range(_HALVES // 2):
+            there = at_low != at_high
+            if not there.any():
+                break
+            low, high, at_low, at_high = low[there], high[there], at_low[there], at_high[there]
+            middle = (low + high) / 2
+            at = np.isfinite(self._equal(alpha, beta, middle)[0]).sum(axis=1)
+            added.append(middle)
+            low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
+            at_low, at_high = np.concatenate([at_low, at]), np.concatenate([at, at_high])
+        return np.unique(np.concatenate(added))
 
     def _zero(
         self, alpha: float, beta: float, slots: NDArray[np.intp], low: Array, high: Array
@@ -293,6 +326,9 @@ class Engine:
             start, width = start + width, 2 * width
         return math.nan
 
+
+_HALVES = 45
+"""Halvings of a cell of the delay: to 1e-14 of a period."""
 
 _STEPS = 14
 """Of the Illinois rule, whose errors shrink with the power 1.44: from 1/8 of a period to 1e-15."""

@@ -74,7 +74,7 @@ class Needs:
         peaks = np.where((needs >= beside[:, :-2]) & (needs >= beside[:, 2:]), needs, -np.inf)
         spread = needs.max(axis=1) - needs.min(axis=1)
         high_enough = peaks >= (needs.max(axis=1) - _CLOSE * spread)[:, None]
-        tops = np.argsort(peaks, axis=1)[:, -max(1, int(high_enough.sum(axis=1).max())) :]
+        tops = np.argsort(peaks, axis=1)[:, -max(1, int(high_enough.sum(axis=1).max(initial=0))) :]
         low = self.theta[np.maximum(tops - 1, 0)]
         high = self.theta[np.minimum(tops + 1, len(self.theta) - 1)]
         part = (np.sqrt(5) - 1) / 2

@@ -7,6 +7,7 @@ simulator replaces the motion by steps of Euler's methods.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -125,15 +126,38 @@ def transfer(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """row adj(w - step) column and det(w - step): coefficients of 1, w, w^2, ... on the last axis.
 
-    By Faddeev and LeVerrier: adj(w - S) = sum of w^k M_k.
+    There may be many columns, the loops in front.
     """
-    step = sampled.step
-    size = step.shape[-1]
-    one = np.eye(size)
-    adjugate, top, bottom = np.broadcast_to(one, step.shape), [], [np.ones(step.shape[:-2])]
+    rows, bottom = _resolvent(sampled.step.tobytes(), row.tobytes())
+    return (rows @ column)[..., 0], bottom
+
+
+@lru_cache(maxsize=256)
+def _resolvent(step: bytes, row: bytes) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """row adj(w - step), one row for each power of w, and det(w - step).
+
+    By Faddeev and LeVerrier: adj(w - S) = sum of w^k M_k.  They are computed in whole numbers and
+    rounded at the end.  In floats a device with modes of 1 Hz and 1 kHz would lose all digits.
+    """
+    from flint import fmpz_mat
+
+    size = len(row) // 8
+    entries = np.frombuffer(step)
+    if not np.isfinite(entries).all():
+        return np.full((size, size), np.nan), np.full(size + 1, np.nan)
+    ratios = [x.as_integer_ratio() for x in entries.tolist()]
+    unit = max(below for _, below in ratios)  # powers of 2
+    whole = fmpz_mat(size, size, [above * (unit // below) for above, below in ratios])
+    seen = [x.as_integer_ratio() for x in np.frombuffer(row).tolist()]
+    scale = max(below for _, below in seen)
+    left = fmpz_mat(1, size, [above * (scale // below) for above, below in seen])
+    one = fmpz_mat(size, size, [int(i == j) for i in range(size) for j in range(size)])
+    adjugate, rows, bottom = one, [], [1.0]
     for n in range(1, size + 1):
-        top.append((row @ (adjugate @ column))[..., 0])
-        turned = step @ adjugate
-        bottom.append(-np.trace(turned, axis1=-2, axis2=-1) / n)
-        adjugate = turned + bottom[-1][..., None, None] * one
-    return np.stack(top[::-1], axis=-1), np.stack(bottom[::-1], axis=-1)
+        of_unit = unit ** (n - 1) * scale
+        rows.append([int(each) / of_unit for each in (left * adjugate).entries()])
+        turned = whole * adjugate
+        last = -sum(turned[i, i] for i in range(size)) // n
+        bottom.append(int(last) / unit**n)
+        adjugate = turned + one * last
+    return np.array(rows[::-1]), np.array(bottom[::-1])

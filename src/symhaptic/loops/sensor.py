@@ -16,7 +16,7 @@ def quantisation_limit(resolution: float, friction: float) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class Encoder:
-    """A sensor that reports the position in steps, to the nearest of which it is rounded.
+    """A position sensor that rounds to the nearest of equally spaced steps.
 
     Parameters
     ----------

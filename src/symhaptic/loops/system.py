@@ -18,7 +18,7 @@ _LARGEST = 12
 
 @dataclass(frozen=True)
 class LinearDevice:
-    """d/dt x = A x + B F, position = C x: a device in SI units, from the force F in N.
+    """Any linear device in SI units: d/dt x = A x + B F, position = C x, with the force F in N.
 
     Parameters
     ----------

@@ -136,7 +136,9 @@ class Trace:
         rows, other, theta = self._with_lines(given, which, rows, other, theta)
         order = np.lexsort((other, rows))
         cuts = np.searchsorted(rows[order], np.arange(1, len(given)))
-        found = []
+        found: list[Walls] = []
+        if not len(given):
+            return found
         for one, value, angle in zip(
             given, np.split(other[order], cuts), np.split(theta[order], cuts), strict=True
         ):
@@ -159,6 +161,8 @@ class Trace:
 
     def stable_between(self, walls: list[Walls]) -> list[NDArray[np.bool_]]:
         """Whether the loop is stable between neighbouring walls of each list."""
+        if not walls:
+            return []
         middles = [(np.diff(w.K) / 2 + w.K[:-1], np.diff(w.B) / 2 + w.B[:-1]) for w in walls]
         K, B = (np.concatenate([m[k] for m in middles]) for k in (0, 1))
         told = is_stable(self.loop, K, B)

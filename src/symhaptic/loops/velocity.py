@@ -88,7 +88,7 @@ class Velocity:
 
 @dataclass(frozen=True)
 class Difference(Velocity):
-    """(x_k - x_(k-1))/T, as in the paper."""
+    """Difference of two samples over the period, (x_k - x_(k-1))/T, as in the paper."""
 
     def ratio(self, period: float) -> Ratio:
         """V(z) for a sampling period in s."""
@@ -105,7 +105,7 @@ _MAPPINGS = ("backward Euler", "Tustin", "exact pole")
 
 @dataclass(frozen=True, kw_only=True)
 class LowPass(Velocity):
-    """The difference of two samples behind a low-pass filter of first or second order.
+    """Difference of two samples with a low-pass filter of first or second order.
 
     Parameters
     ----------
@@ -242,7 +242,13 @@ _LONGEST = 200
 
 @dataclass(frozen=True)
 class Window(Velocity):
-    """(x_k - x_(k-n))/(n T): the difference over ``samples`` periods."""
+    """Difference of two positions that are several periods apart, (x_k - x_(k-n))/(n T).
+
+    Parameters
+    ----------
+    samples : int
+        The number n of periods, >= 1.
+    """
 
     samples: int
 
@@ -266,9 +272,16 @@ class Window(Velocity):
 
 @dataclass(frozen=True)
 class Average(Window):
-    """The mean of the last ``samples`` differences.
+    """Mean of the last differences of two samples.
 
-    All but the first and the last position cancel: it is the same as :class:`Window`.
+    Parameters
+    ----------
+    samples : int
+        The number of differences, >= 1.
+
+    Notes
+    -----
+    All but the first and the last position cancel, so it equals :class:`Window`.
     """
 
     @property
@@ -279,7 +292,7 @@ class Average(Window):
 
 @dataclass(frozen=True)
 class Filter(Velocity):
-    """The difference of two samples behind any filter, by its coefficients of 1, 1/z, 1/z^2, ...
+    """Difference of two samples with any linear filter, given by its coefficients.
 
     Parameters
     ----------
@@ -345,7 +358,7 @@ def _of_delays(coefficients: Sequence[float], more: int) -> Polynomial:
 
 @dataclass(frozen=True)
 class Measured(Velocity):
-    """The velocity of the device itself at the samples, as a tachometer or a simulator has it."""
+    """Velocity of the device itself at the samples, as measured by a tachometer or simulated."""
 
     @property
     def words(self) -> str:

@@ -1,4 +1,4 @@
-r"""A loop in continuous time whose hold and delay are one first-order lag, and Routh's criterion.
+r"""A loop in continuous time whose hold and delay are one first-order lag.
 
 Delay :math:`t_d` and the half period of the hold make :math:`1/(1+t_es)` with
 :math:`t_e=t_d+T/2`, and the backward difference becomes the derivative: the force is
@@ -6,8 +6,6 @@ Delay :math:`t_d` and the half period of the hold make :math:`1/(1+t_es)` with
 """
 
 from __future__ import annotations
-
-from collections.abc import Sequence
 
 import sympy as sp
 from sympy import Expr
@@ -35,19 +33,6 @@ def characteristic(device: Plant) -> tuple[Expr, ...]:
     """
     polynomial = device.characteristic * (1 + t_e * s) + WALL
     return tuple(sp.collect(c, t_e) for c in sp.Poly(polynomial, s).all_coeffs())
-
-
-def routh(cubic: Sequence[Expr]) -> tuple[Expr, Expr, Expr]:
-    """What must be positive beside the first coefficient for all roots to lie on the left.
-
-    The second coefficient, the last, and Hurwitz' determinant a_2 a_1 - a_3 a_0; the chapter
-    s4e_lag says why.
-
-    >>> routh((1, 3, 3, 1))
-    (3, 1, 8)
-    """
-    first, second, third, last = cubic
-    return second, last, second * third - first * last
 
 
 def margin(device: Plant) -> Expr:

@@ -22,10 +22,10 @@ def integers(coefficients: Sequence[Expr]) -> tuple[tuple[Symbol, ...], list[fmp
     """Symbols and coefficients over the integers, the lowest power first."""
     given = [sp.sympify(c) for c in coefficients]
     if len(given) < 2:
-        raise ValueError(f"coefficients: {given}; a degree of 1 or more is allowed")
+        raise ValueError(f"coefficients: {given}; give a degree of 1 or more")
     lead = given[0]
     if not (lead.is_Rational and lead > 0):
-        raise ValueError(f"coefficients: {lead} leads; a positive rational number is allowed")
+        raise ValueError(f"coefficients: {lead} leads; give a positive rational number")
     free = {s for c in given for s in c.free_symbols}
     symbols = tuple(sorted(free, key=lambda s: (s not in (alpha, beta), str(s))))
     names = symbols or (sp.Dummy(),)

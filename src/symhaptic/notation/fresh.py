@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import sympy as sp
 from sympy import Expr
 
@@ -22,3 +24,16 @@ def made_before(symbol: Expr, mark: int) -> bool:
         return True
     index = symbol.dummy_index
     return type(index) is int and index < mark
+
+
+def fresh(apart: Iterable[Expr], name: str | None = None) -> sp.Dummy:
+    """Make a symbol that is none of these, whatever numbers they have.
+
+    >>> mine = sp.Dummy("x", dummy_index=mark() + 1)
+    >>> fresh([mine], "x") == mine
+    False
+    """
+    known = set(apart)
+    while (made := sp.Dummy(name)) in known:
+        pass
+    return made

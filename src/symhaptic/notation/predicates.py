@@ -38,7 +38,7 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
         *(0, 5),
         r"\mathrm{{passive}}({0},{1},{2},{3},{4})",
         "no motion of a device with damping $b$ gains energy from the wall $K+B(z-1)/(Tz)$, "
-        "sampled every $T$, its force held for $T$ and $d$ periods late",
+        "sampled every $T$, its force held for $T$ and delayed by $d$ periods",
     ),
     "passive_device": (
         *(1, 6),

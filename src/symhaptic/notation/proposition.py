@@ -19,6 +19,7 @@ from typing import Any, ClassVar, TypeAlias
 import sympy as sp
 from sympy import Expr, Symbol
 
+from symhaptic.notation.fresh import fresh
 from symhaptic.notation.predicates import MEANINGS
 from symhaptic.notation.terms import NoTerm, Term, is_complex, term, tree, without_value
 
@@ -60,7 +61,8 @@ class Proposition:
             places = {s: _place(depth + i) for i, s in enumerate(self.bound)}
             bound, depth = {**bound, **places}, depth + len(places)
         trees = tuple(t.inst(bound) for t in self.trees) if bound else self.trees
-        parts = (p._keyed(bound, depth) if bound.keys() & p.free else p._key for p in self.parts)
+        # a part of its own counts its places from 0, and is marked lest they be taken for others
+        parts = (p._keyed(bound, depth) if bound.keys() & p.free else (p._key,) for p in self.parts)
         return (type(self).__name__, own, kinds, trees, *parts)
 
     def __reduce__(self) -> tuple[type[Proposition], tuple[Any, ...]]:
@@ -107,7 +109,8 @@ class Proposition:
         inner, bound = dict(values), self.bound
         if bound:
             met = frozenset[Symbol]().union(*(t.free for t in values.values()))
-            inner |= {s: Term(sp.Dummy(s.name)) for s in bound if s in met}
+            apart = met.union(self.free, bound)
+            inner |= {s: Term(fresh(apart, s.name)) for s in bound if s in met}
             bound = tuple(inner[s].head if s in inner else s for s in bound)
         terms = tuple(t.inst(inner).shown for t in self.trees)
         return self.made(bound, terms, tuple(p.inst(inner) for p in self.parts))

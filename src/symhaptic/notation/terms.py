@@ -126,6 +126,14 @@ class Term:
 
 _number = attrgetter("number")
 
+
+def _branch_by_decimals(base: Expr, exponent: Expr) -> bool:
+    """Whether SymPy would find by decimals on which side of a cut a power of a number lies."""
+    if exponent.is_Integer or base.is_extended_real:
+        return False
+    return any(isinstance(f, (sp.Pow, sp.exp)) for f in sp.Mul.make_args(base))
+
+
 _MADE: dict[tuple[Head, tuple[Term, ...]], Term] = {}
 _READ: dict[Expr, Term] = {}
 
@@ -147,7 +155,10 @@ def _read(of: Expr) -> Term:
     if kind in _NODES:
         if kind in FUNCTIONS and len(of.args) != 1:
             raise NoTerm(f"{of} is a function of {len(of.args)} arguments, not of one")
-        return Term(kind, tuple(map(tree, of.args)))
+        args = tuple(map(tree, of.args))
+        if kind is sp.Pow and not args[0].free and _branch_by_decimals(args[0].sympy, of.args[1]):
+            raise NoTerm(f"SymPy may find the branch of {of} by decimals, and take the wrong one")
+        return Term(kind, args)
     if isinstance(of, sp.Rational) and of.is_finite:
         if gcd(of.p, of.q) != 1 or of.q < 1:
             raise NoTerm(f"{of} is not in lowest terms")

@@ -17,6 +17,18 @@ from symhaptic.notation.sizes import LARGEST, LONGEST, STIFFEST
 
 Array = NDArray[np.float64]
 
+IN_ORDER = {
+    "eq5": "K B T omega d",
+    "eq6": "K B T",
+    "eq7": "b T omega d",
+    "eq9": "b B T d",
+    "eq11": "b T d",
+    "eq12": "b k m T",
+    "eq24": "b B t_d T",
+    "eq28": "k b m",
+}
+"""Order of the arguments of an equation in SI units, wherever it is a function."""
+
 _BLOCK = 16384
 """Elements worked on at a time: NumPy's calls cost little beside them, and arrays fit the cache."""
 
@@ -122,7 +134,6 @@ _CHECKS: dict[str, Callable[[str, Any, Any], None]] = {
     "delay": _periods,
     "epsilon": _fraction,
     "theta": _angle,
-    "omega": _angle,
 }
 
 

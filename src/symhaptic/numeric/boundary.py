@@ -129,17 +129,47 @@ def stability_boundary(
     delay: ArrayLike,
     sheet: str = "exact",
 ) -> tuple[Array, Array]:
-    """The wall (alpha, beta) that puts a characteristic root at exp(j theta), 0 < theta < pi.
+    r"""The wall (alpha, beta) that puts a characteristic root at exp(j theta).
 
-    Takes the plant ``gamma`` = k T^2/m >= 0, ``delta`` = b T/m >= 0 and a delay of ``delay`` >= 0
-    periods; arrays broadcast.  Fractional delays are exact (modified z-transform);
-    ``sheet="principal"`` uses the paper's z^-d = exp(-j d theta).  Not every point lies on the
-    border of the stable region, see :func:`symhaptic.stable_region`.  Derived in chapter
-    s4d_explicit_boundary; the paper finds these points by a grid.
+    Parameters
+    ----------
+    theta : array_like
+        Angle omega T of the root, 0 < theta < pi.
+    gamma, delta : array_like
+        Physical stiffness k T^2/m >= 0 and physical damping b T/m >= 0.
+    delay : array_like
+        Delay in sampling periods, >= 0, integer or fractional.  All arguments broadcast.
+    sheet : {"exact", "principal"}, optional
+        Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
+        paper's z^-d = exp(-j d theta).
 
-    Raises :class:`ValueError` for theta outside (0, pi) and an impossible plant or delay.  NaN
-    gives NaN, and so does an angle at which no force reaches the device.
+    Returns
+    -------
+    alpha, beta : float or ndarray
+        K T^2/m and B T/m, of the shape to which the arguments broadcast.  NaN at an angle at which
+        no force reaches the device.
 
+    Raises
+    ------
+    ValueError
+        If ``theta`` is outside (0, pi), or ``gamma``, ``delta`` or ``delay`` is negative or too
+        large; NaN gives NaN.
+
+    See Also
+    --------
+    stable_region : The region; not every point of the boundary lies on its border.
+
+    Notes
+    -----
+    The boundary is explicit.  With the plant P(z) of :func:`symhaptic.discretize`, the wall solves
+
+    .. math:: 1+z^{-(d+1)}((\alpha+\beta)z-\beta)P(z)=0,\quad z=e^{j\theta},
+
+    two linear equations for alpha and beta.  Derived in chapter s4d_explicit_boundary; the paper
+    finds these points by a grid.
+
+    Examples
+    --------
     >>> alpha, beta = stability_boundary(1.0, 0.0, 0.0, 1)
     >>> round(float(alpha), 12), round(float(beta), 12)  # 4 tan(1/2)^2 cos 2, ...
     (-0.496790118283, 1.241897955708)

@@ -8,7 +8,11 @@ from symhaptic.numeric.arguments import Array
 
 
 class Extremum(NamedTuple):
-    """An extreme wall (alpha, beta) of a boundary, and its angle theta = omega T."""
+    """An extreme wall of a boundary, which unpacks into three numbers or arrays.
+
+    ``alpha`` is the stiffness K T^2/m, ``beta`` the damping B T/m, and ``theta`` the angle omega T:
+    that of the critical roots on the unit circle, or of the worst motion.
+    """
 
     alpha: Array
     beta: Array

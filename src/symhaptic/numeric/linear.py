@@ -14,23 +14,48 @@ from symhaptic.numeric.given import Given
 @at_once("linear_limit")
 @kept(alpha=float)
 def linear_limit(beta: ArrayLike, delta: ArrayLike, delay: ArrayLike) -> Array:
-    """alpha = (beta + delta)/(delay + 1/2), the stiffness at which (25) is an equality.
+    r"""Stiffness limit of the linear stability condition, alpha = (beta + delta)/(delay + 1/2).
 
-    The limit is damping over delay; the hold adds half a period to the delay.  Arrays broadcast.
+    The limit is damping over delay; the hold adds half a period to the delay.
+
+    Parameters
+    ----------
+    beta : array_like
+        Virtual damping B T/m, finite.
+    delta : array_like
+        Physical damping b T/m, >= 0.
+    delay : array_like
+        Delay in sampling periods, >= 0, integer or fractional.  All arguments broadcast.
+
+    Returns
+    -------
+    float or ndarray
+        The stiffness alpha = K T^2/m at which (25) of the paper is an equality; NaN gives NaN.
+
+    Raises
+    ------
+    ValueError
+        If ``beta`` is infinite, or ``delta`` or ``delay`` is negative or infinite.
+
+    See Also
+    --------
+    limit_at : The exact largest stable stiffness for a damping.
+
+    Notes
+    -----
     For integer delays it is the straight part of the passivity boundary,
     -delta <= beta <= delta d/(2d + 3).  For a fractional delay it allows walls there that are not
     passive (chapter s6e_fractional_region).
 
-    The exact stability boundary approaches this limit for small alpha and delta.  For
-    delays of 0 and 1 and an arm's spring and damping, (23), the limit is safe up to a crossing near
+    The exact stability boundary approaches this limit for small alpha and delta.  For delays of 0
+    and 1 and an arm's spring and damping, (23), the limit is safe up to a crossing near
 
-        alpha = delta (6 (delay + 1)^2 + 1)/((delay + 1) (2 delay + 1) (2 delay + 3))
+    .. math:: \alpha=\delta\,\frac{6(d+1)^2+1}{(d+1)(2d+1)(2d+3)}
 
-    and unstable above it; without damping all of it is unstable (chapters s4e_line_*).
+    and unstable above it.  Without damping all of it is unstable (chapters s4e_line_*).
 
-    Raises :class:`ValueError` for an infinite ``beta`` and for a negative or infinite ``delta``
-    or ``delay``; NaN gives NaN.
-
+    Examples
+    --------
     >>> float(linear_limit(0.0, 0.02, 1.5))
     0.01
     """

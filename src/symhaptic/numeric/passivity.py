@@ -22,6 +22,7 @@ from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.extremum import Extremum
 from symhaptic.numeric.given import Given
+from symhaptic.numeric.renamed import renamed
 
 SHEETS = ("exact", "principal")
 
@@ -51,18 +52,43 @@ def _needed(xp: Any, alpha: Any, beta: Any, steps: Any, part: Any) -> Any:
 def passivity_margin(
     alpha: ArrayLike, beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> Array:
-    r"""Physical damping minus the damping that the wall requires at its worst angle.
+    """Physical damping minus the damping that the wall requires, at its worst angle.
 
-    Takes the wall ``alpha`` = K T^2/m, ``beta`` = B T/m, the damping ``delta`` = b T/m >= 0 and
-    ``delay`` >= 0 periods, integer or fractional; arrays broadcast.  If the margin is not negative,
-    no motion extracts energy.  A wall with ``alpha`` < 0 delivers more energy the farther it is
-    pushed, so no damping is enough: its margin is -inf.  ``sheet="principal"`` uses the required
-    damping of (5) of the paper; both agree for integer delays.  Derived in chapter
-    s6d_fractional_passivity.
+    Parameters
+    ----------
+    alpha, beta : array_like
+        Virtual stiffness K T^2/m and virtual damping B T/m of the wall, finite.
+    delta : array_like
+        Physical damping b T/m of the device, >= 0.
+    delay : array_like
+        Delay in sampling periods, >= 0, integer or fractional.  All arguments broadcast.
+    sheet : {"exact", "principal"}, optional
+        Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
+        paper's z^-d = exp(-j d theta).
 
-    Raises :class:`ValueError` for an infinite wall, a negative or infinite ``delta`` or ``delay``;
-    NaN gives NaN.
+    Returns
+    -------
+    float or ndarray
+        The margin in units of m/T.  If it is not negative, no motion extracts energy from the wall.
+        -inf if ``alpha`` < 0: such a wall delivers more energy the farther it is pushed, so no
+        damping is enough.
 
+    Raises
+    ------
+    ValueError
+        If the wall is infinite, or ``delta`` or ``delay`` is negative or infinite; NaN gives NaN.
+
+    See Also
+    --------
+    passivity_margin_at : The margin at one angle.
+
+    Notes
+    -----
+    For integer delays and with ``sheet="principal"`` the required damping is that of (5) of the
+    paper.  The general case is derived in chapter s6d_fractional_passivity.
+
+    Examples
+    --------
     >>> [round(float(x), 6) for x in passivity_margin(1.0, 0.0, 1.0, [0, 0.5, 1])]
     [0.5, -0.059017, -0.5]
     """
@@ -89,21 +115,46 @@ def passivity_margin_at(
     delay: ArrayLike,
     sheet: str = "exact",
 ) -> Array:
-    r"""Physical damping minus the damping that the wall requires at the angle ``theta`` = omega T.
+    r"""Physical damping minus the damping that the wall requires, at one angle.
 
-    Takes 0 < ``theta`` < pi, the wall ``alpha``, ``beta``, the damping ``delta`` >= 0 and ``delay``
-    >= 0 periods, integer or fractional; arrays broadcast.  For integer delays and with
-    ``sheet="principal"`` the margin is, by (5) of the paper,
+    Parameters
+    ----------
+    theta : array_like
+        Angle omega T of the motion, 0 < theta < pi.
+    alpha, beta : array_like
+        Virtual stiffness K T^2/m and virtual damping B T/m of the wall, finite.
+    delta : array_like
+        Physical damping b T/m of the device, >= 0.
+    delay : array_like
+        Delay in sampling periods, >= 0, integer or fractional.  All arguments broadcast.
+    sheet : {"exact", "principal"}, optional
+        Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
+        paper's z^-d = exp(-j d theta).
 
-        delta - alpha sin((delay + 1/2) theta)/(2 sin(theta/2)) + beta cos((delay + 1) theta).
+    Returns
+    -------
+    float or ndarray
+        The margin in units of m/T.  If alpha >= 0, its smallest value over theta is
+        :func:`passivity_margin`.
 
-    If alpha >= 0, its smallest value over theta is :func:`passivity_margin`.  For a fractional
-    delay it is the margin of the worst motion at this angle, exact for the sampled loop; derived in
-    chapter s6d_fractional_passivity.
+    Raises
+    ------
+    ValueError
+        If ``theta`` is outside (0, pi), the wall is infinite, or ``delta`` or ``delay`` is negative
+        or infinite; NaN gives NaN.
 
-    Raises :class:`ValueError` for an angle outside (0, pi), an infinite wall, a negative or
-    infinite ``delta`` or ``delay``; NaN gives NaN.
+    Notes
+    -----
+    For integer delays and with ``sheet="principal"`` the margin is, by (5) of the paper,
 
+    .. math:: \delta-\alpha\,\frac{\sin((d+1/2)\theta)}{2\sin(\theta/2)}
+       +\beta\cos((d+1)\theta)
+
+    For a fractional delay it is the margin of the worst motion at this angle, exact for the sampled
+    loop; derived in chapter s6d_fractional_passivity.
+
+    Examples
+    --------
     >>> [round(float(x), 6) for x in passivity_margin_at(1.0, 1.0, 0.5, 1.0, [0, 0.5, 1])]
     [0.770151, 0.138338, -0.248376]
     """
@@ -124,11 +175,37 @@ def passivity_margin_at(
 def is_passive(
     alpha: ArrayLike, beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> NDArray[np.bool_]:
-    """Whether no motion can extract energy: the margin is not negative, and NaN is not passive.
+    """Whether no motion can extract energy from the wall.
 
-    Walls on the boundary are passive, too; the strict sign of the paper's (4) excludes them.
-    Arguments and errors as for :func:`passivity_margin`.
+    Parameters
+    ----------
+    alpha, beta : array_like
+        Virtual stiffness K T^2/m and virtual damping B T/m of the wall, finite.
+    delta : array_like
+        Physical damping b T/m of the device, >= 0.
+    delay : array_like
+        Delay in sampling periods, >= 0, integer or fractional.  All arguments broadcast.
+    sheet : {"exact", "principal"}, optional
+        Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
+        paper's z^-d = exp(-j d theta).
 
+    Returns
+    -------
+    bool or ndarray of bool
+        Whether :func:`passivity_margin` is not negative.  NaN is not passive.
+
+    Raises
+    ------
+    ValueError
+        If the wall is infinite, or ``delta`` or ``delay`` is negative or infinite.
+
+    Notes
+    -----
+    Walls on the boundary are passive, too; the strict sign of (4) of the paper excludes them.  Only
+    the damping of the device counts, not that of an arm, (3).
+
+    Examples
+    --------
     >>> is_passive([1.9, 2.1, -0.1], 0.0, 1.0, 0).tolist()
     [True, False, False]
     """
@@ -148,38 +225,63 @@ def _printed(xp: Any, theta: Any, delay: Any) -> tuple[Any, Any]:
     return haptic.rated(xp, lead, wall[0]), haptic.rated(xp, lead, wall[1])
 
 
+@renamed(omega="theta")
 @at_once("passivity_boundary")
 @kept(alpha=float, beta=float)
 @slopes.in_jax(("alpha", "beta"), ("delta",))
 def passivity_boundary(
-    omega: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
+    theta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> tuple[Array, Array]:
-    """The wall (alpha, beta) on the passivity boundary with the worst angle ``omega`` = omega T.
+    """The wall (alpha, beta) on the passivity boundary with the worst angle ``theta``.
 
-    Takes 0 < ``omega`` < pi, ``delta`` >= 0 and ``delay`` >= 0; arrays broadcast.  For integer
-    delays and with ``sheet="principal"`` the curve is (27) of the paper.  It ends where the
-    stiffness vanishes, in these cases at pi/(delay + 1), and is NaN beyond: there (27) gives walls
-    that are not passive.
+    Parameters
+    ----------
+    theta : array_like
+        Worst angle omega T, 0 < theta < pi.  The old keyword ``omega`` still works, with a
+        :class:`DeprecationWarning`.
+    delta : array_like
+        Physical damping b T/m of the device, >= 0.
+    delay : array_like
+        Delay in sampling periods, >= 0, integer or fractional.  All arguments broadcast.
+    sheet : {"exact", "principal"}, optional
+        Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
+        paper's z^-d = exp(-j d theta).
+
+    Returns
+    -------
+    alpha, beta : float or ndarray
+        K T^2/m and B T/m.  NaN beyond the end of the curve, where the stiffness is 0: there (27)
+        gives walls that are not passive.  For integer delays and with ``sheet="principal"`` the end
+        is at pi/(delay + 1).
+
+    Raises
+    ------
+    ValueError
+        If an argument is out of its range; NaN gives NaN.
+
+    Notes
+    -----
+    For integer delays and with ``sheet="principal"`` the curve is (27) of the paper.
 
     Two more pieces complete the boundary.  The walls with worst angle 0 lie between (0, -delta) and
-    the limit of the curve at omega -> 0, on alpha (delay + 1/2) + e alpha^2/(4 delta) =
+    the limit of the curve at theta -> 0, on alpha (delay + 1/2) + e alpha^2/(4 delta) =
     delta + beta with e = part (1 - part) for the fractional part of the delay.  For delays up to
     2/9 of a period the curve does not end before pi; the walls with worst angle pi lie between its
     limit there and (0, delta/(1 - delay)), on beta + alpha/2 = delta/(1 - delay).
 
-    Raises :class:`ValueError` for an angle, damping or delay outside its range; NaN gives NaN.
-
+    Examples
+    --------
     >>> alpha, beta = passivity_boundary([0.5, 1.0], 1.0, 1)
     >>> alpha.round(6).tolist(), beta.round(6).tolist()
     ([0.817217, 0.811125], [0.232804, 0.375311])
     """
     arguments.one_of("sheet", sheet, SHEETS)
 
-    def walls(xp: Any, theta: Any, damping: Any, late: Any) -> tuple[Any, Any]:
-        unit = haptic.elementwise(xp, partial(_printed, xp), theta, late)
+    def walls(xp: Any, angle: Any, damping: Any, periods: Any) -> tuple[Any, Any]:
+        unit = haptic.elementwise(xp, partial(_printed, xp), angle, periods)
         return damping * unit[0], damping * unit[1]
 
-    given = Given(omega=omega, delta=delta, delay=delay)
+    given = Given(theta=theta, delta=delta, delay=delay)
     exact = sheet == "exact"
     return given(haptic.passivity_boundary if exact else partial(walls, given.xp))  # type: ignore[no-any-return]
 
@@ -192,14 +294,38 @@ def passivity_boundary(
     instead="lambdify('max_passive_stiffness', modules='jax') has derivatives",
 )
 def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exact") -> Extremum:
-    r"""The passive wall of largest stiffness, and its worst angle.
+    """The passive wall of largest stiffness, with its virtual damping and its worst angle.
 
+    Parameters
+    ----------
+    delta : array_like
+        Physical damping b T/m of the device, >= 0.
+    delay : array_like
+        Delay in sampling periods, >= 0, integer or fractional.  All arguments broadcast.
+    sheet : {"exact", "principal"}, optional
+        Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
+        paper's z^-d = exp(-j d theta).
+
+    Returns
+    -------
+    Extremum
+        ``alpha`` = K T^2/m, ``beta`` = B T/m and ``theta`` = omega T, of the shape to which the
+        arguments broadcast.  Without delay all angles are equally bad for this wall, and theta is
+        pi/2.
+
+    Raises
+    ------
+    ValueError
+        If ``delta`` or ``delay`` is negative or infinite; NaN gives NaN.
+
+    Notes
+    -----
     For integer delays and with ``sheet="principal"`` this is the stable form of (11) of the paper,
-    alpha = 2 delta tan(pi/(4 (delay + 1))); arrays broadcast.  Without delay all angles
-    are equally bad for this wall, and theta is pi/2.
+    alpha = 2 delta tan(pi/(4 (delay + 1))).  For fractional delays the wall is derived in chapter
+    s6f_stiffest_passive_wall.
 
-    Raises :class:`ValueError` for a negative or infinite damping or delay; NaN gives NaN.
-
+    Examples
+    --------
     >>> alpha, beta, theta = max_passive_stiffness(1.0, [0, 0.5, 1])
     >>> alpha.round(6).tolist(), beta.round(6).tolist()
     ([2.0, 1.175869, 0.828427], [0.0, 0.323979, 0.292893])

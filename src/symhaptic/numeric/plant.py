@@ -182,19 +182,38 @@ def stuck(gamma: Array, delta: Array) -> NDArray[np.bool_]:
 @at_once("discretize")
 @kept(n1=float, n0=float, a=float, e=float)
 def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array, Array]:
-    """Exact discrete equivalent of the device behind a zero-order hold: n1, n0, a, e.
+    """Exact discrete equivalent of the device behind a zero-order hold.
 
-    P(z) = (n1 z + n0)/(z^2 - a z + e) in units of T^2/m, for the physical stiffness
-    ``gamma`` = k T^2/m >= 0 and the damping ``delta`` = b T/m >= 0; arrays broadcast.  Derived in
-    chapter s4b_normalisation.  This is the paper's (14) without its cases of 0/0.
+    Parameters
+    ----------
+    gamma, delta : array_like
+        Physical stiffness k T^2/m >= 0 and physical damping b T/m >= 0; they broadcast.
 
-    n1 is never negative and is right to 2 last places, also near ``gamma`` = (2 pi k)^2, where it
-    nearly vanishes.  n0 changes its sign there, at ``delta`` near (sqrt(gamma) - 2 pi k)^2.  Its
-    error is at most 2 of its last places plus ``delta`` times those of n1 + n0.  Changing ``gamma``
-    by one last place moves both by far more.
+    Returns
+    -------
+    n1, n0, a, e : float or ndarray
+        P(z) = (n1 z + n0)/(z^2 - a z + e), in units of T^2/m.
 
-    Raises :class:`ValueError` for a negative or infinite argument; NaN gives NaN.
+    Raises
+    ------
+    ValueError
+        If an argument is negative or infinite; NaN gives NaN.
 
+    See Also
+    --------
+    discretize_fractional : The same with a fractional delay.
+
+    Notes
+    -----
+    This is (14) of the paper without its cases of 0/0; derived in chapter s4b_normalisation.
+
+    n1 is never negative.  Its error is at most 2 units in the last place, also near
+    gamma = (2 pi k)^2, where n1 nearly vanishes.  n0 changes its sign there, at delta near
+    (sqrt(gamma) - 2 pi k)^2.  Its error is at most 2 units in its last place plus delta times those
+    of n1 + n0.  Changing gamma by one unit in the last place moves both by far more.
+
+    Examples
+    --------
     >>> [float(x) for x in discretize(0, 0)]
     [0.5, 0.5, 2.0, 1.0]
     """
@@ -207,15 +226,34 @@ def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array,
 def discretize_fractional(
     gamma: ArrayLike, delta: ArrayLike, epsilon: ArrayLike
 ) -> tuple[Array, Array, Array, Array, Array]:
-    """Exact discrete equivalent of the device with a fractional delay: m2, m1, m0, a, e.
+    """Exact discrete equivalent of the device with a fractional delay.
 
-    P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m, for a delay of ``epsilon``
-    periods, 0 <= epsilon < 1, by the modified z-transform: the previous value of the hold acts for
-    a part of each period.  Arrays broadcast.  Derived in chapter s6a_fractional_plant.
+    Parameters
+    ----------
+    gamma, delta : array_like
+        Physical stiffness k T^2/m >= 0 and physical damping b T/m >= 0.
+    epsilon : array_like
+        Delay in sampling periods, 0 <= epsilon < 1.  All arguments broadcast.
 
-    Raises :class:`ValueError` for a negative or infinite ``gamma`` or ``delta``, and for
-    ``epsilon`` outside [0, 1); NaN gives NaN.
+    Returns
+    -------
+    m2, m1, m0, a, e : float or ndarray
+        P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)), in units of T^2/m.
 
+    Raises
+    ------
+    ValueError
+        If ``gamma`` or ``delta`` is negative or infinite, or ``epsilon`` is outside [0, 1); NaN
+        gives NaN.
+
+    Notes
+    -----
+    This is the modified z-transform: the previous value of the hold acts for a part of each period.
+    Derived in chapter s6a_fractional_plant.  An integer part of the delay multiplies P by a power
+    of 1/z.
+
+    Examples
+    --------
     >>> [float(x) for x in discretize_fractional(0, 0, 0.5)]
     [0.125, 0.75, 0.125, 2.0, 1.0]
     """

@@ -186,26 +186,54 @@ def unstable_roots(
     delay: ArrayLike,
     sheet: str = "exact",
 ) -> NDArray[np.int64]:
-    """Number of characteristic roots outside the unit circle; the cost does not grow with delay.
+    """Number of characteristic roots outside the unit circle.
 
-    Dimensionless wall ``alpha``, ``beta``, plant ``gamma`` >= 0, ``delta`` >= 0 and ``delay`` >= 0
-    in periods, integer or fractional (exact, by the modified z-transform); arrays broadcast.  With
-    ``sheet="principal"`` a fractional delay is the paper's z^-d on the principal sheet.
+    The cost does not grow with the delay.
 
-    The count is exact for the given floats, or -1 if it is not known:
+    Parameters
+    ----------
+    alpha, beta : array_like
+        Virtual stiffness K T^2/m and virtual damping B T/m of the wall, finite.
+    gamma, delta : array_like
+        Physical stiffness k T^2/m >= 0 and physical damping b T/m >= 0.
+    delay : array_like
+        Delay in sampling periods, >= 0, integer or fractional.  All arguments broadcast.
+    sheet : {"exact", "principal"}, optional
+        Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
+        paper's z^-d = exp(-j d theta).
 
-    * if a root is so close to the circle that rounding cannot decide on which side it is;
-    * if squares underflow: ``abs(alpha) + abs(beta) + 1 - exp(-delta) < 2**-400`` or
-      ``0 < max(abs(alpha), gamma) < 2**-400``;
-    * if an argument is NaN;
-    * on the principal sheet, if a wall some thousand last places away has another count.
+    Returns
+    -------
+    int or ndarray of int
+        The count, exact for the given floats, of the shape to which the arguments broadcast.  It is
+        -1 if it is not known:
 
-    Arrays in single precision are computed in double, if their library has it.  Inside ``jax.jit``
-    every branch is compiled, which takes XLA some ten seconds; outside of it nothing is compiled.
-    ``torch.compile`` breaks its graph here.
+        * a root is so close to the circle that rounding cannot decide on which side it is;
+        * squares underflow: ``abs(alpha) + abs(beta) + 1 - exp(-delta) < 2**-400`` or
+          ``0 < max(abs(alpha), gamma) < 2**-400``;
+        * an argument is NaN;
+        * on the principal sheet, a wall some thousand last places away has another count.
 
-    Raises :class:`ValueError` for an infinite wall and an impossible plant or delay.
+    Raises
+    ------
+    ValueError
+        If the wall is infinite, or if ``gamma``, ``delta`` or ``delay`` is negative or too large.
 
+    See Also
+    --------
+    is_stable : Whether the count is 0.
+
+    Notes
+    -----
+    The roots are those of :func:`symhaptic.characteristic_polynomial` or, for a fractional delay,
+    of the polynomial with the modified z-transform.  They are counted by the argument principle
+    (chapter s4d_roots_counted).
+    Arrays in single precision are computed in double precision, if their library has it.  Inside
+    ``jax.jit`` every branch is compiled, which takes XLA some ten seconds.  ``torch.compile``
+    breaks its graph here.
+
+    Examples
+    --------
     >>> unstable_roots([0.5, 5.0], 1.0, 0.0, 0.0, 0).tolist()
     [0, 2]
     """
@@ -253,13 +281,45 @@ def is_stable(
     delay: ArrayLike,
     sheet: str = "exact",
 ) -> NDArray[np.bool_]:
-    """Whether all characteristic roots lie inside the unit circle; see :func:`unstable_roots`.
+    """Whether all characteristic roots lie inside the unit circle.
 
-    True is always right.  False is wrong only for some stable loops very close to the boundary,
-    where the count of unstable roots is -1 (not known).  Loops with a root on the circle are not
-    stable: on the line alpha = -gamma, for an undamped device without a wall, and for an undamped
-    device with omega_d T at a multiple of pi, whatever the wall.
+    Parameters
+    ----------
+    alpha, beta : array_like
+        Virtual stiffness K T^2/m and virtual damping B T/m of the wall, finite.
+    gamma, delta : array_like
+        Physical stiffness k T^2/m >= 0 and physical damping b T/m >= 0.
+    delay : array_like
+        Delay in sampling periods, >= 0, integer or fractional.  All arguments broadcast.
+    sheet : {"exact", "principal"}, optional
+        Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
+        paper's z^-d = exp(-j d theta).
 
+    Returns
+    -------
+    bool or ndarray of bool
+        Of the shape to which the arguments broadcast.  True is always right.  False is wrong only
+        for some stable loops very close to the boundary, where :func:`unstable_roots` is -1 (not
+        known).  NaN is not stable.
+
+    Raises
+    ------
+    ValueError
+        If the wall is infinite, or if ``gamma``, ``delta`` or ``delay`` is negative or too large.
+
+    See Also
+    --------
+    max_stable_stiffness : The largest stable stiffness.
+    delay_margin : The delay that may be added.
+
+    Notes
+    -----
+    Loops with a root on the circle are not stable: on the line alpha = -gamma, for an undamped
+    device without a wall, and for an undamped device with omega_d T at a multiple of pi, whatever
+    the wall.
+
+    Examples
+    --------
     >>> is_stable([0.03, 0.003], 0.05, 0.001, 0.02, 5).tolist()
     [False, True]
     """
@@ -272,13 +332,38 @@ def is_stable(
 def characteristic_polynomial(
     alpha: float, beta: float, gamma: float, delta: float, delay: int
 ) -> Array:
-    """Coefficients of the monic characteristic polynomial, highest power first.
+    r"""Coefficients of the monic characteristic polynomial of the loop.
 
-    z^(d+1) (z^2 - a z + e) + (n1 z + n0) ((alpha+beta) z - beta), of degree d + 3, for one wall
-    and an integer delay d >= 0.  Derived in chapter s4b_polynomial ((18) of the paper, monic).
+    Parameters
+    ----------
+    alpha, beta : float
+        Virtual stiffness K T^2/m and virtual damping B T/m of the wall, finite.
+    gamma, delta : float
+        Physical stiffness k T^2/m >= 0 and physical damping b T/m >= 0.
+    delay : int
+        Delay d in sampling periods, an integer >= 0.
 
-    Raises :class:`ValueError` for a delay that is not an integer and for impossible arguments.
+    Returns
+    -------
+    ndarray of shape (d + 4,)
+        Coefficients, highest power first.
 
+    Raises
+    ------
+    ValueError
+        If ``delay`` is not an integer, or if another argument is out of its range.
+
+    Notes
+    -----
+    The polynomial of degree d + 3 is
+
+    .. math:: z^{d+1}(z^2-az+e)+(n_1z+n_0)((\alpha+\beta)z-\beta)
+
+    with the four numbers of :func:`discretize`; derived in chapter s4b_polynomial.  It is (18) of
+    the paper divided by its leading coefficient.
+
+    Examples
+    --------
     >>> characteristic_polynomial(0.5, 1.0, 0.0, 0.0, 0).tolist()
     [1.0, -1.25, 1.25, -0.5]
     """

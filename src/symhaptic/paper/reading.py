@@ -1,4 +1,4 @@
-r"""Reads a formula as printed, in LaTeX, into SymPy: the transcription is typed only once.
+r"""Reads a formula as published, in LaTeX, into SymPy: the transcription is typed only once.
 
 The conventions are those of the paper (and of IEEE print): juxtaposition binds more tightly
 than a slash, so that ``\pi/T(d+1)`` is :math:`\pi/(T(d+1))` and ``b^2/4m`` is
@@ -10,6 +10,7 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Iterable
+from functools import partial
 from typing import NoReturn, TypeAlias
 
 import sympy as sp
@@ -45,7 +46,17 @@ _SIGN = re.compile(
     r"(?![A-Za-z])"
 )
 """What relates two sides, whether it can be read or not."""
-_FUNCTIONS = {r"\sin": sp.sin, r"\cos": sp.cos, r"\tan": sp.tan, r"\exp": sp.exp}
+_FUNCTIONS = {
+    r"\sin": sp.sin,
+    r"\cos": sp.cos,
+    r"\tan": sp.tan,
+    r"\exp": sp.exp,
+    r"\ln": partial(sp.log, evaluate=False),
+    r"\arctan": partial(sp.atan, evaluate=False),
+}
+_EXTREMES = {r"\min": -1, r"\max": 1}
+_WORDS = re.compile(r"\\(?:mathrm|operatorname|text)\s*\{\s*(Re|min|max|ln|arctan)\s*\}")
+"""Names of functions that are typed as upright letters."""
 _CLOSING = {"(": ")", "[": "]", "{": "}", r"\{": r"\}"}
 _BESIDE = {*_CLOSING, r"\frac", r"\tfrac", r"\sqrt"}
 """What behind the letters of an angle may be in the function before them, or a factor beside it."""
@@ -56,10 +67,12 @@ _TAKEN = {
     r"\tfrac",
     r"\sqrt",
     r"\Re",
+    r"\dot",
     r"\pi",
     r"\cdot",
     r"\times",
     *_FUNCTIONS,
+    *_EXTREMES,
     *_RELATIONS,
 }
 """Commands that are no names."""
@@ -207,6 +220,7 @@ class _Reader:
         self.own = {_called(tex): name for tex, name in notation}
         self.names = {tex: n for tex, n in _SYMBOLS.items() if n not in self.own.values()}
         squeezed = re.sub(r"\\mathrm\s*\{\s*e\s*\}", rf" \{_EULER} ", latex)
+        squeezed = _WORDS.sub(r"\\\1 ", squeezed)
         squeezed = re.sub(r"\\hat\s*\{\s*=\s*\}", r"\\hat{=}", squeezed)
         squeezed = _MARKED.sub(r" \1 ", _SMALL.sub(r"_\1 ", squeezed))
         rest = _TOKEN.sub("", squeezed).replace("~", "").split()
@@ -445,6 +459,13 @@ class _Reader:
             if self.peek() not in ("(", r"\{"):
                 raise Unreadable(f"{token} without a bracket in {self.latex!r}")
             return sp.re(self.group(), evaluate=False)
+        if token == r"\dot":
+            inside = self.group() if self.peek() == "{" else self.atom()
+            if inside == sp.Symbol("x"):
+                return sp.Symbol("v")
+            raise Unreadable(f"the derivative of something else than x in {self.latex!r}")
+        if token in _EXTREMES:
+            return self.extreme(token)
         if token == r"\begin{pmatrix}":
             return self.vector()
         if token in _FUNCTIONS:
@@ -466,6 +487,23 @@ class _Reader:
         if token == r"\pi":
             return sp.pi
         return self.name(token)
+
+    def extreme(self, token: str) -> Expr:
+        """The least or the largest of several values: (x + y - |x - y|)/2, or with a plus."""
+        if self.peek() not in _CLOSING or self.peek() == "{":
+            raise Unreadable(f"{token} without a bracket in {self.latex!r}")
+        opening = self.take()
+        values = [self.sum()]
+        while self.peek() == ",":
+            self.take()
+            values.append(self.sum())
+        self.take(_CLOSING[opening])
+        if len(values) == 1:
+            raise Unreadable(f"{token} of one value in {self.latex!r}")
+        found = values[0]
+        for value in values[1:]:
+            found = (found + value + _EXTREMES[token] * sp.Abs(found - value)) / 2
+        return found
 
     def vector(self) -> Expr:
         first = self.at == 1

@@ -27,7 +27,7 @@ class Source:
 
 @dataclass(frozen=True)
 class Statement:
-    r"""A statement of the paper, as printed.
+    r"""A statement of the paper, as published.
 
     ``latex`` holds the printed formula line by line, or nothing where the statement is in
     words.  ``quote`` is the sentence of the paper that makes the statement or introduces the

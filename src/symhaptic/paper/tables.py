@@ -1,4 +1,4 @@
-"""Numbers as printed: those of Table II, of Sec. IV-C beside it, and of the figures."""
+"""Numbers as published: those of Table II, of Sec. IV-C beside it, and of the figures."""
 
 from __future__ import annotations
 

@@ -54,8 +54,7 @@ def form_of(caller: str, form: Any, depth: int = 0) -> Form:
     elif isinstance(form, (Expr, BooleanAtom)) and not isinstance(form, sp.Lambda):
         return _known(caller, form)
     raise TypeError(
-        f"{caller}: {form!r} is no formula; SymPy expressions, relations and "
-        "sequences of them are allowed"
+        f"{caller}: {form!r} is no formula; give SymPy expressions, relations or sequences of them"
     )
 
 
@@ -65,7 +64,7 @@ def _number(caller: str, number: Any) -> Expr:
         return sp.sympify(number, strict=True)
     except (sp.SympifyError, ValueError, OverflowError):
         raise TypeError(
-            f"{caller}: {number!r} ({type(number).__name__}) is no number; SymPy's are allowed"
+            f"{caller}: {number!r} ({type(number).__name__}) is no number; give one of SymPy"
         ) from None
 
 
@@ -82,8 +81,7 @@ def _known(caller: str, form: Any) -> Any:
         seen.add(id(part))
         if not _made_here(type(part)) or (part.is_Symbol and type(part) not in _SYMBOLS):
             raise TypeError(
-                f"{caller}: {type(part).__name__} is a class of which nothing is known; "
-                "formulas of SymPy are allowed"
+                f"{caller}: {type(part).__name__} is an unknown class; give formulas of SymPy"
             )
         if part.is_Rational and digits and _longer(part, digits):
             raise ValueError(f"{caller}: a number of more than {digits} digits is not allowed")
@@ -114,8 +112,7 @@ def exact(caller: str, name: str, number: Any) -> Expr:
         raise TypeError(f"{caller}: {name}: {number!r} is not allowed; give a SymPy expression")
     if _known(caller, found).has(sp.Float):
         raise ValueError(
-            f"{caller}: {name}: {number} has a float; exact numbers are allowed, such as "
-            "Rational(1, 10)"
+            f"{caller}: {name}: {number} has a float; give exact numbers, such as Rational(1, 10)"
         )
     return found
 
@@ -148,7 +145,7 @@ def box_of(caller: str, ends: Any, *forms: Expr) -> tuple[Box, list[Expr]]:
     for written, pair in given:
         symbol = names.get(written, written)
         if symbol in box:
-            raise ValueError(f"{caller}: box: two intervals for {symbol}; one is allowed")
+            raise ValueError(f"{caller}: box: two intervals for {symbol}; give one")
         box[symbol] = _interval(caller, symbol, pair)
     told = [renamed(form, names) for form in forms]
     missing = set().union(*(form.free_symbols for form in told)) - set(box)
@@ -167,7 +164,7 @@ def _interval(caller: str, symbol: sp.Symbol, pair: Any) -> tuple[Expr, Expr]:
     for end in ends:
         if isinstance(end, (str, bytes)):
             raise TypeError(
-                f"{caller}: box: {end!r} of {symbol} is text; an exact real number is allowed, "
+                f"{caller}: box: {end!r} of {symbol} is text; give an exact real number, "
                 "such as Rational(1, 10)"
             )
     low, high = (_end(caller, symbol, end) for end in ends)

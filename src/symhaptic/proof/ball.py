@@ -17,6 +17,7 @@ from flint import acb, acb_poly, arb, ctx
 from sympy import Expr
 
 from symhaptic.notation.exact import fraction, from_leading
+from symhaptic.notation.fresh import fresh
 from symhaptic.notation.terms import symbols_in
 from symhaptic.proof.normal import Field, is_zero
 from symhaptic.proof.program import CALLS, raised
@@ -193,7 +194,7 @@ def _by_name(expr: Expr, variable: set[Expr], named: dict[Expr, Expr]) -> Expr:
     if expr.is_Rational or expr in variable:
         return expr
     if symbols_in(expr).isdisjoint(variable):
-        return named.setdefault(expr, sp.Dummy())
+        return named.setdefault(expr, fresh(variable))
     return expr.func(*(_by_name(part, variable, named) for part in expr.args))
 
 

@@ -221,7 +221,7 @@ def _values(expr: Expr, box: Box, given: Given | None, work: _Work) -> Value:
     if unbound and given is None:
         raise NotShown(f"the box has no interval for {', '.join(sorted(map(str, unbound)))}")
     if len(box) > _SYMBOLS:
-        raise NotShown(f"a box of {len(box)} symbols; at most {_SYMBOLS} are allowed")
+        raise NotShown(f"a box of {len(box)} symbols; give at most {_SYMBOLS}")
     complex_parts = expr.has(sp.I)
     if complex_parts and not is_real(expr):
         raise NotShown(f"{expr} is not shown to be real")

@@ -87,21 +87,6 @@ class Positive:
         """How many pieces the box was cut into."""
         return self.cuts.count(".") + self.cuts.count(":")
 
-    @property
-    def depth(self) -> int:
-        """How often the smallest piece was halved.
-
-        >>> Positive(sp.S.One, {}, "0.0..", 53).depth
-        2
-        """
-        deepest, open_ = 0, [0]
-        for cut in self.cuts:
-            depth = open_.pop()
-            deepest = max(deepest, depth)
-            if cut not in ".:":
-                open_ += [depth + 1, depth + 1]
-        return deepest
-
 
 @dataclass(frozen=True)
 class Zero:

@@ -22,12 +22,28 @@ _LIMIT = 100_000
 def enclose(expr: Expr | int, digits: int = 20) -> arb | acb:
     """Return an interval (ball) that contains the value of a constant.
 
-    Its radius is below ``10**-digits`` of the value.  The result is a python-flint ``arb``, or
-    ``acb`` for a complex number.  The normal form recognises zero.  Raises :class:`ValueError` if
-    the expression is no constant or no precision reaches the digits (it is undefined, or it is zero
-    and the normal form does not recognise this), and :class:`TypeError` for text, because SymPy
-    would run it as a program.
+    Parameters
+    ----------
+    expr : SymPy expression or int
+        An expression without symbols.  The normal form recognises zero.
+    digits : int, optional
+        The radius is below ``10**-digits`` of the value.
 
+    Returns
+    -------
+    flint.arb or flint.acb
+        The ball; ``acb`` for a complex number.
+
+    Raises
+    ------
+    ValueError
+        If the expression is no constant, or if no precision reaches the digits: it is undefined, or
+        it is zero and the normal form does not recognise this.
+    TypeError
+        If ``expr`` is text, because SymPy would run it as a program.
+
+    Examples
+    --------
     >>> print(enclose(sp.sqrt(2) - 1, 30).str(30))
     [0.414213562373095048801688724210 +/- 3.02e-31]
     >>> print(enclose(sp.sin(1)**2 + sp.cos(1)**2 - 1))
@@ -87,11 +103,31 @@ def _is_zero(expr: Expr) -> bool:
 def enclose_maximum(expr: Expr, box: Ends, digits: int = 6, *, steps: int = STEPS) -> Largest:
     """Bound the largest value of an expression on a box.
 
-    ``upper - lower`` is at most ``10**-digits``; ``where`` is a point with a value of at least
-    ``lower``.  The result is a certificate that :func:`symhaptic.recheck` checks again.  Raises
-    :class:`ValueError` if the expression is not defined and real on the whole box, has no largest
-    value, or needs more than ``steps`` steps of arithmetic.
+    Parameters
+    ----------
+    expr : SymPy expression
+        Defined and real on the whole box.
+    box : dict
+        A closed interval for each symbol, ``{x: (0, 1)}``.
+    digits : int, optional
+        ``upper - lower`` is at most ``10**-digits``.
+    steps : int, optional
+        Steps of arithmetic at most.
 
+    Returns
+    -------
+    Largest
+        ``lower`` and ``upper`` bounds of the largest value, and ``where``, a point with a value of
+        at least ``lower``.  It is a certificate that :func:`symhaptic.recheck` checks again.
+
+    Raises
+    ------
+    ValueError
+        If the expression is not defined and real on the whole box, has no largest value, or needs
+        more than ``steps`` steps of arithmetic.
+
+    Examples
+    --------
     >>> x, y = sp.symbols("x y")
     >>> found = enclose_maximum(x*y*(1 - x*y), {x: (0, 1), y: (0, 1)}, digits=4)
     >>> found.lower <= sp.Rational(1, 4) <= found.upper

@@ -442,7 +442,10 @@ class Field:
     def expression(self, poly: fmpq_mpoly) -> Expr:
         """A polynomial in the generators, written as a SymPy expression again."""
         back: dict[Expr, Expr] = {v: k for k, v in self._opaque.items()}
-        back |= {r: base ** sp.Rational(1, q) for (base, q), r in self._radicals.items()}
+        for (base, q), root in self._radicals.items():
+            back[root] = sp.Pow(base, sp.Rational(1, q), evaluate=False)
+            if not base.free_symbols and back[root] != base ** sp.Rational(1, q):
+                raise Unsupported(f"SymPy would choose a branch of {back[root]} by decimals")
         back[self._zeta] = sp.exp(2 * sp.pi * sp.I / self._order)
         for i, g in self._generator.items():
             exponent = self._basis[i][0] / self._denominators[i]

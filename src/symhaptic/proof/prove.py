@@ -27,25 +27,45 @@ from symhaptic.proof.verdict import Kind, Verdict
 def prove(lhs: Form, rhs: Form | Ends | None = None, *, steps: int = STEPS) -> Verdict:
     r"""Decide whether two formulas are the same, or whether an inequality holds on a box.
 
-    ``prove(lhs, rhs)`` compares formulas, vectors or relations.  They are equal if both sides agree
-    wherever both are defined, for real values of the symbols and any real exponent, and such a
-    point exists.  A counterexample respects the domains of ``symhaptic.notation`` for symbols that
-    have a name there, such as ``y`` in [0, 1].
+    Parameters
+    ----------
+    lhs : SymPy expression, relation, vector or number
+        The first formula; for an inequality, the relation.
+    rhs : SymPy expression, relation, vector or number, or dict
+        The second formula; for an inequality, the box: a closed interval for each symbol,
+        ``{x: (0, 1)}``.
+    steps : int, optional
+        Steps of arithmetic after which an inequality is left undecided.
 
-    ``prove(relation, box)`` takes an inequality and a closed interval for each of its symbols,
-    ``{x: (0, 1)}``.  Both sides, as written, must be defined and real on the whole box, ends
-    included.
+    Returns
+    -------
+    Verdict
+        True if it is *proved*, with the field in which the difference is zero, or *enclosed*, with
+        a ``certificate`` that :func:`symhaptic.recheck` has checked again.  False if it is
+        *refuted*, with a confirmed counterexample, or *undecided*.
 
-    Symbols with the same name are one symbol with the assumptions of all of them.
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is no formula, relation or box.  Text is refused, because SymPy would run it
+        as a program.
 
-    Returns a :class:`Verdict`.  It is true if it is *proved*, with the field in which the
-    difference is zero, or *enclosed*, with a ``certificate`` that :func:`symhaptic.recheck` has
-    checked again.  It is false if it is *refuted*, with a confirmed counterexample, or *undecided*.
-    An inequality that holds with equality at a point, such as :math:`x^2\ge0` on [-1, 1], is
-    undecided, because interval arithmetic cannot prove an equality.  So is one that needs more than
-    ``steps`` steps of arithmetic.  Raises :class:`TypeError` or :class:`ValueError` if an argument
-    is no formula, relation or box.  Text is refused, because SymPy would run it as a program.
+    Notes
+    -----
+    Two formulas are the same if both sides agree wherever both are defined, for real values of the
+    symbols and any real exponent, and such a point exists.  A counterexample respects the domains
+    of ``symhaptic.notation`` for symbols that have a name there, such as ``y`` in [0, 1].  Symbols
+    with the same name are one symbol with the assumptions of all of them.
 
+    Both sides of an inequality, as written, must be defined and real on the whole box, ends
+    included.  An inequality that holds with equality at a point, such as :math:`x^2\ge0` on [-1,
+    1], is undecided, because interval arithmetic cannot prove an equality.
+
+    Under pytest, ``assert prove(...)`` fails with the sentence of the verdict and its
+    counterexample.
+
+    Examples
+    --------
     >>> from sympy.abc import x
     >>> bool(prove(sp.tan(x/2), sp.sin(x)/(1 + sp.cos(x))))
     True
@@ -110,7 +130,7 @@ def _on_box(relation: Form, ends: Ends, steps: int) -> Verdict:
             "evaluate=False keeps it as it is"
         )
     if not isinstance(relation, Relational) or isinstance(relation, (sp.Eq, sp.Ne)):
-        raise TypeError(f"prove: {relation!r} is no inequality; one of <, <=, >, >= is allowed")
+        raise TypeError(f"prove: {relation!r} is no inequality; give one of <, <=, >, >=")
     form_of("prove", relation)
     spend_reading(relation)
     floats = sorted(relation.atoms(sp.Float))

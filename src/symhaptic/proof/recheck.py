@@ -50,6 +50,19 @@ def confirm(certificates: Iterable[Certificate]) -> None:
 def recheck(certificate: Certificate) -> bool:
     """Check a certificate again, by a second and simpler routine.
 
+    Parameters
+    ----------
+    certificate : Certificate
+        The ``certificate`` of a :class:`symhaptic.Verdict`, or what
+        :func:`symhaptic.enclose_maximum` returns.
+
+    Returns
+    -------
+    bool
+        Whether the certificate proves its claim.
+
+    Examples
+    --------
     >>> from symhaptic.proof.box import positive
     >>> x = sp.Symbol("x")
     >>> recheck(positive(x**2 - x + sp.Rational(1, 2), {x: (0, 1)}))

@@ -129,7 +129,7 @@ def _rewritten(expr: Expr) -> Expr:
     args = tuple(map(_rewritten, expr.args))
     if args == expr.args:
         return expr
-    return expr.func(*args, evaluate=bool(expr.is_Pow and not args[1].is_Integer))
+    return expr.func(*args, evaluate=False)
 
 
 @lru_cache(maxsize=8192)

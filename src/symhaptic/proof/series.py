@@ -13,6 +13,7 @@ from functools import lru_cache
 import sympy as sp
 from sympy import Expr
 
+from symhaptic.notation.fresh import fresh
 from symhaptic.proof.ball import differs_from_zero
 from symhaptic.proof.normal import Field, Small
 from symhaptic.proof.points import points
@@ -51,7 +52,7 @@ def lowest_term(expr: Expr, variable: sp.Symbol, at: Expr = sp.S.Zero) -> tuple[
 @lru_cache(maxsize=1 << 10)
 def _lowest_term(expr: Expr, variable: sp.Symbol, at: Expr) -> tuple[int, Expr]:
     """The same with a coefficient as it is found, a quotient."""
-    eps = variable if at == 0 else sp.Dummy("eps")
+    eps = variable if at == 0 else fresh(expr.free_symbols | at.free_symbols, "eps")
     moved = as_exponentials(sp.sympify(expr, strict=True))
     moved = moved if at == 0 else moved.xreplace({variable: at + eps})
     for order in ORDERS:

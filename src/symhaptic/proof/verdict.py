@@ -32,12 +32,13 @@ class Unfounded(ValueError):
     """Grounds that do not support what is claimed of a statement."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Verdict:
     """A verdict with its reasons.  As a truth value, true only if the statement is right.
 
     ``condition`` and ``corrected`` are LaTeX; ``counterexample`` gives a value to each symbol and
-    is empty if there is no symbol.
+    is empty if there is no symbol.  :func:`symhaptic.prove` returns it, and printed it is a
+    sentence.
     """
 
     kind: Kind
@@ -50,7 +51,7 @@ class Verdict:
     value: str | None = None
     radius: str | None = None
     note: str | None = None
-    claim: Proposition | None = field(default=None, repr=False)
+    claim: Proposition | None = field(default=None)
     """What the statement claims."""
     proposition: str | None = None
     """LaTeX of the same."""
@@ -58,11 +59,15 @@ class Verdict:
     """Definitions of the chapter from which the statement follows, in LaTeX."""
     rests: tuple[str, ...] = ()
     """The deciders and rules that the theorem rests on."""
-    certificate: Certificate | None = field(default=None, repr=False, compare=False)
+    certificate: Certificate | None = field(default=None, compare=False)
     """Of an inequality on a box; :func:`symhaptic.recheck` checks it again."""
 
     def __bool__(self) -> bool:
         return self.kind in PASSES
+
+    def __repr__(self) -> str:
+        """The sentence, which pytest shows if ``assert prove(...)`` fails."""
+        return f"<{self}>"
 
     def __str__(self) -> str:
         parts = [f"{self.kind}: {self.method}"]

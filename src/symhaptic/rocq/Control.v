@@ -1,54 +1,7 @@
-(* What is said of walls, and what is known of it; and the tactics that apply the theorems of Circle.v,
-   HalfPlane.v, Device.v and Loop.v to terms as chapters write them. *)
-From Symhaptic Require Export Loop.
+(* The tactics that apply the theorems of the library to terms as chapters write them. *)
+From Symhaptic Require Export Loop Energy Stored Answers.
 Open Scope R_scope.
 
-(* What is not defined here yet; what is known of it stands in the axioms.  A function of z or s stands
-   for a transfer function, one of v for an energy. *)
-Parameter passive : (C -> C) -> C -> Prop.
-Parameter answers : (C -> C) -> C -> C -> C -> Prop.
-Parameter passive_wall : R -> R -> R -> R -> R -> Prop.
-Parameter passive_device : (C -> C) -> R -> R -> R -> R -> R -> Prop.
-
-(* A motion at constant speeds, piece by piece (time in periods, way), from rest at 0; the force that
-   a wall holds from k + late on is K x_k + B (x_k - x_(k-1))/T.  All of it but K, B and b is rational. *)
-Module Motion.
-Import QArith Qround.
-Open Scope Q_scope.
-Fixpoint after (motion : list (Q * Q)) (t : Q) : Q :=
-  match motion with
-  | nil => 0
-  | cons (time, way) rest =>
-      if Qle_bool time t then Qred (way + after rest (t - time)) else Qred (way * t / time)
-  end.
-Definition place motion t := if Qle_bool t 0 then 0 else after motion t.
-Fixpoint lasts (motion : list (Q * Q)) : Q :=
-  match motion with nil => 0 | cons (time, _) rest => Qred (time + lasts rest) end.
-Fixpoint forwards (motion : list (Q * Q)) : bool :=
-  match motion with nil => true | cons (time, _) rest => andb (negb (Qle_bool time 0)) (forwards rest) end.
-Fixpoint burnt (motion : list (Q * Q)) : Q :=
-  match motion with nil => 0 | cons (time, way) rest => Qred (way * way / time + burnt rest) end.
-(* The sum of f(k) times the way while the force of sample k is held, for k = 1 to n. *)
-Fixpoint taken motion (late : Q) (f : Q -> Q) (n : nat) : Q :=
-  match n with
-  | O => 0
-  | S m =>
-      let k := inject_Z (Z.of_nat n) in
-      Qred (f k * (place motion (k + 1 + late) - place motion (k + late)) + taken motion late f m)
-  end.
-Definition samples motion := Z.to_nat (Qceiling (lasts motion)).
-Definition by_spring motion late := taken motion late (place motion) (samples motion).
-Definition by_damper motion late :=
-  taken motion late (fun k => place motion k - place motion (k - 1)) (samples motion).
-Definition energy (K B b T : R) (late : Q) motion : R :=
-  (b / T * Q2R (burnt motion) + K * Q2R (by_spring motion late) + B / T * Q2R (by_damper motion late))%R.
-End Motion.
-
-(* What the predicate means: a motion that gains energy. *)
-Axiom rule_gains : forall (K B b T d : R) (late : QArith_base.Q) (motion : list _),
-  d = Q2R late -> 0 <= b -> 0 < T -> QArith_base.Qle_bool (QArith_base.inject_Z 0) late = true ->
-  Motion.forwards motion = true -> Motion.energy K B b T late motion < 0 ->
-  ~ passive_wall K B b T d.
 Ltac gained :=
   first [reflexivity | unfold Motion.energy; rationals; numeric].
 
@@ -238,3 +191,124 @@ Ltac principal_half :=
 Ltac pole_held :=
   intros; opened; match goal with P : pole _ _ _ _ _ _ |- _ => apply (held_by_a_pole _ _ _ _ _ _ P); assumption end.
 Ltac swung_as := let t := fresh "t" in let A := fresh in let B := fresh in split; intros [t [A B]]; exists t; split; lra.
+
+(* -- what is known of passive filters, walls and steady states, as chapters say it ------------------ *)
+
+Lemma Craised_inverse : forall z w n, z <> RtoC 0 -> w = (- RtoC (INR n))%C -> Craised z w = (/ z ^ n)%C.
+Proof.
+  intros z w n Z E; assert (P := Cpower_apart z n Z); assert (Q := Craised_plus z (RtoC (INR n)) w Z).
+  rewrite E, Craised_number in Q; replace (RtoC (INR n) + - RtoC (INR n))%C with (RtoC (INR 0)) in Q by (simpl; ring).
+  rewrite Craised_number in Q; simpl in Q; rewrite E; replace (Craised z (- RtoC (INR n))%C) with
+    (z ^ n * Craised z (- RtoC (INR n)) / z ^ n)%C by (field; exact P); rewrite <- Q; field; exact P.
+Qed.
+(* How often an exponent below 0 is -1. *)
+Ltac negative w :=
+  lazymatch w with
+  | (- ?a - ?b)%C => let m := natural a in let n := natural b in constr:((m + n)%nat)
+  | (- ?a)%C => natural a
+  | RtoC (IZR (Zneg ?p)) => eval compute in (Pos.to_nat p)
+  end.
+Ltac inverse_powers Z :=
+  repeat match goal with |- context [Craised ?z ?w] =>
+    let n := negative w in rewrite (Craised_inverse z w n Z ltac:(counted))
+  end.
+Ltac as_taps :=
+  let z := fresh "z" in let Z := fresh "Z" in
+  intros z Z; cbv beta; natural_powers; inverse_powers Z; cbn [taps fold_right fst snd];
+  repeat rewrite Cpower_plus; cbn [Cpower Init.Nat.add];
+  repeat match goal with |- context [Cpower z ?n] =>
+    let P := fresh in assert (P := Cpower_apart z n Z);
+    let q := fresh "q" in generalize dependent (Cpower z n); intros q P
+  end;
+  Cpushed; first [ring | undivided; field; repeat split; Cnz].
+Lemma toeplitz_as : forall H c l (s : R) (m : R -> R), (forall z, z <> RtoC 0 -> H z = taps l z) -> static l = s ->
+  (forall t, cos t < 1 -> margin c l t = m t) -> (passive H c <-> 0 <= s /\ forall t, 0 < t < PI -> 0 <= m t).
+Proof.
+  intros H c l s m E S M; apply (iff_trans (toeplitz H c l E)); rewrite S; split; intros [A B]; (split; [exact A |]); intros t T;
+    assert (N := cos_below_one t ltac:(lra)); [rewrite <- M by lra | rewrite M by lra]; exact (B t T).
+Qed.
+Ltac a_cosine := first
+  [ rewrite ?Rmult_0_l, ?cos_0; reflexivity | f_equal; rewrite ?S_INR; counted_real | rewrite <- cos_neg; f_equal; rewrite ?S_INR; counted_real ].
+Ltac circled T := assert (cos T < 1) by (apply cos_below_one; lra).
+Ltac as_passive F :=
+  let P := fresh in let S := fresh in let t := fresh "t" in let A := fresh in let B := fresh in let Q := fresh in let M := fresh in
+  split; intro P; [opened | destruct P as [S P]];
+  [ match goal with G : passive _ _ |- _ => apply F in G; destruct G as [S M] end; split; [solve [finish S] |];
+    intros t [A B]; circled t; specialize (M t (conj A B)); cbv beta in M; opened; repeat split; first [assumption | nz]
+  | opened; repeat (split; [solve [nz] |]); apply F; split; [opened; solve [finish S] |];
+    intros t [A B]; cbv beta; assert (Q := P t (conj A B)); opened; assumption ].
+Ltac wall_of_filter := intros; opened; wholes_counted;
+  match goal with E : ?d = INR ?m |- passive_wall ?K ?B ?b ?T ?d <-> _ =>
+    rewrite E; peeled; apply whole_wall; [assumption |]; let Z := fresh in intros ? Z; rewrite Craised_number; reflexivity
+  end.
+Ltac late_wall_of_filter := intros; opened; wholes_counted;
+  match goal with E : ?l = INR ?m |- passive_wall ?K ?B ?b ?T (?u + ?l) <-> _ =>
+    rewrite E; replace (u + INR m) with (INR m + u) by ring; peeled; apply late_wall; [assumption | assumption | split; assumption | |];
+    [ let z := fresh "z" in let Z := fresh in intros z Z; rewrite Craised_number, (Craised_inverse z _ (S m) Z)
+        by (rewrite S_INR, RtoC_plus; ring); assert (P := Cpower_apart z m Z); cbn [Cpower]; undivided;
+      field; repeat split; first [assumption | Cnz]
+    | field; split; nz ]
+  end.
+Lemma Cless_real : forall p q (x y : R), p = RtoC x -> q = RtoC y -> x < y -> Cless p q.
+Proof. intros p q x y P Q L; rewrite P, Q; repeat split; exact L. Qed.
+Lemma one_turn : forall t : R, 0 < t <= PI -> Cmod (Cexp (Ci * t)%C) = 1 /\ Cexp (Ci * t)%C <> RtoC 1.
+Proof.
+  intros t T; split; [apply Cmod_turned |]; rewrite turned; intro E; apply (f_equal fst) in E; simpl in E.
+  assert (cos t < 1) by (apply cos_below_one; generalize PI_RGT_0; lra); lra.
+Qed.
+Ltac components := rewrite ?Cmod_square; apply injective_projections; simpl; field.
+(* For all points of the circle but 1: exponentials of j t are powers of exp(j t) or of its conjugate. *)
+Ltac around_circle :=
+  match goal with T : ?t <= PI |- Cless _ _ =>
+    let Z := fresh in destruct (one_turn t ltac:(split; assumption)) as [Z ?];
+    replace (Cexp (- Ci * t)%C) with (Cconj (Cexp (Ci * t)%C)) by (rewrite Cconj_turned; f_equal; Cpushed; ring);
+    replace (Cexp (2 * Ci * t)%C) with (Cexp (Ci * t)%C * Cexp (Ci * t)%C)%C by (rewrite <- Cexp_plus; f_equal; ring);
+    replace (Cexp (-2 * Ci * t)%C) with (Cconj (Cexp (Ci * t)%C) * Cconj (Cexp (Ci * t)%C))%C
+      by (rewrite Cconj_turned, <- Cexp_plus; f_equal; Cpushed; ring);
+    generalize dependent (Cexp (Ci * t)%C); clear T
+  end.
+Ltac whole_steady := intros; opened; around_circle; let z := fresh "z" in intros z;
+  match goal with V : device _ _ _ _ _ _ |- _ => intros Z One;
+    refine (Cless_real _ _ _ _ _ _ (held_steady_state _ _ _ _ _ _ z V _ _ Z One)); try assumption; clear Z One
+  end; destruct z; components.
+Ltac late_steady := intros; opened; around_circle; let z := fresh "z" in intros z;
+  match goal with L : late_device _ _ _ _ _ _ _ _, V : device _ _ _ _ _ _ |- _ => intros Z One;
+    refine (Cless_real _ _ _ _ _ _ (late_held_steady_state _ _ _ _ _ _ _ _ _ _ z L V _ _ _ Z One));
+      try assumption; try (split; assumption); clear Z One
+  end; destruct z; components.
+Ltac later_answers := intros; opened; wholes_counted;
+  match goal with E : ?p = INR ?n |- answers _ ?z ?X (RtoC ?T) <-> _ =>
+    rewrite E, Craised_number; apply (answer_later _ _ z X T n); let s := fresh "s" in intro s; cbv beta; unfold Cdiv;
+    rewrite Cmult_assoc, <- Cexp_plus; do 2 f_equal; Cpushed; ring
+  end.
+Ltac other_units := intros; opened; peeled;
+  match goal with U : 0 < ?u, F : ?f <> 0 |- _ =>
+    assert (RtoC f <> RtoC 0) by (apply Cnot_zero; exact F); assert (RtoC u <> RtoC 0) by (apply Cnot_zero; lra);
+    apply (answer_units _ _ _ _ _ _ u f); [exact U | exact F | | ring | rewrite RtoC_div by lra; reflexivity];
+    let s := fresh "s" in intro s; cbv beta; rewrite <- Cdiv_share by exact F; f_equal;
+    [f_equal; field; assumption | cbn [Cpower]; field; split; assumption]
+  end.
+Ltac amplified_answers := intros;
+  match goal with F : ?f <> 0 |- _ =>
+    apply (answer_units _ _ _ _ _ _ 1 f); [lra | exact F | | ring | f_equal; field];
+    let s := fresh "s" in intro s; cbv beta; replace (s / 1)%C with s by (field; Cnz); unfold Cdiv; ring
+  end.
+Ltac answer_unique := opened; match goal with A : answers ?P ?z ?X ?T, B : answers ?P ?z ?Y ?T |- _ =>
+    let E := fresh in assert (E := one_answer P z X Y T A B); repeat split; assumption
+  end.
+Ltac shown_transfer :=
+  let s := fresh "s" in intros s _; cbv beta; f_equal;
+  [ first [ symmetry; apply Cexp_nought; simpl INR; Cpushed; ring | f_equal; simpl INR; Cpushed; first [ring | field; Cnz] ]
+  | Cpushed; cbn [Cpower]; first [ring | field; Cnz] ].
+Lemma conditions_alike : forall (z d x n : C) (z' d' x' n' : R), z = RtoC z' -> d = RtoC d' -> (x * d = RtoC x')%C -> n = RtoC n' ->
+  ((z <> RtoC 0 /\ d <> RtoC 0 /\ (x * d = n)%C) <-> (z' <> 0 /\ d' <> 0 /\ x' = n')).
+Proof.
+  intros z d x n z' d' x' n' Z D X N; rewrite X, Z, D, N.
+  assert (A : forall r, RtoC r <> RtoC 0 <-> r <> 0).
+  { intro r; split; intros H E; apply H; [rewrite E; reflexivity | exact (RtoC_inj _ _ E)]. }
+  rewrite !A; split; intros (P & Q & E); (split; [exact P |]); (split; [exact Q |]); [exact (RtoC_inj _ _ E) | rewrite E; reflexivity].
+Qed.
+Ltac Cpulled := cbn [Cpower];
+  repeat first [ rewrite <- RtoC_plus | rewrite <- RtoC_minus | rewrite <- RtoC_mult | rewrite <- RtoC_opp
+    | rewrite <- RtoC_div by nz | rewrite <- RtoC_inv by nz ];
+  f_equal; exponentials; same_field.

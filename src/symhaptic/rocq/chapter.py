@@ -13,6 +13,7 @@ from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.proof.theorems.derivation import sources
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.classical import CLASSICAL, ELEMENTARY
+from symhaptic.rocq.energy import ENERGY
 from symhaptic.rocq.leaves import BOXED, COUNTED, LEAVES
 from symhaptic.rocq.logic import LOGIC
 from symhaptic.rocq.loops import LOOPS
@@ -22,7 +23,7 @@ from symhaptic.rocq.steps import Proof, Step, comment, order, stated, wrapped
 from symhaptic.rocq.terms import Names, NotPrinted
 from symhaptic.rocq.zeros import ZEROS
 
-SHOWN = CLASSICAL | ZEROS | LOOPS
+SHOWN = CLASSICAL | ZEROS | LOOPS | ENERGY
 """Classical rules that are theorems here."""
 WRITTEN = LOGIC | LEAVES | SHOWN
 BELIEVED = sources()

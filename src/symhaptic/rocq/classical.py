@@ -75,6 +75,13 @@ ELEMENTARY = {
     "loop as the paper reads it": "loop_read.",
     "half a period on the principal sheet": "principal_half.",
     "held by a pole": "pole_held.",
+    "passive wall": "wall_of_filter.",
+    "passive late wall": "late_wall_of_filter.",
+    "held steady state": "whole_steady.",
+    "late held steady state": "late_steady.",
+    "units": "other_units.",
+    "later": "later_answers.",
+    "amplified": "amplified_answers.",
     "rest": "intros x y [H G]; destruct (with_rest x y H G) as (p & P & Q & L); exists p; "
     "repeat split; [exact P | lra | lra].",
 }

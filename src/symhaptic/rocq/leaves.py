@@ -249,7 +249,7 @@ def gains(proof: Proof, theorem: Theorem) -> None:
     for time, way in reversed(motion):
         pieces = f"(cons ({_rational(time)}, {_rational(way)}) {pieces})"
     proof.say(
-        f"assert (G := rule_gains {reals} {_rational(wall[4])} {pieces}).",
+        f"assert (G := gains_energy {reals} {_rational(wall[4])} {pieces}).",
         "repeat match type of G with ?P -> _ => "
         "let H := fresh in assert (H : P) by gained; specialize (G H); clear H end.",
         "finish G.",

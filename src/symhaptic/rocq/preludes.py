@@ -9,7 +9,7 @@ from pathlib import Path
 
 LIBRARY = (
     *("Prelude", "Polynomials", "Circle", "HalfPlane", "Device", "Loop"),
-    *("Control", "Boxes", "Zeros"),
+    *("Energy", "Stored", "Steady", "Answers", "Control", "Boxes", "Zeros"),
 )
 PRELUDES = tuple(Path(__file__).with_name(f"{name}.v") for name in LIBRARY)
 """What chapters use; each uses those before it."""

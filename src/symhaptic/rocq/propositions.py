@@ -41,7 +41,7 @@ DEFINED = {"whole": "whole", "increasing": "increasing", "limit": "tends"}
 REAL = {
     **{"degree": 1, "device": 6, "late_device": 8, "swings": 4, "passive_wall": 5},
     **{"stable_loop": 5, "stable_substituted": 5, "stable_principal": 5, "pole": 5},
-    "passive_device": 5,
+    **{"passive": 1, "passive_device": 5},
 }
 """Predicates whose first terms, so many beside a function, are real numbers."""
 

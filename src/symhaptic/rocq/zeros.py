@@ -101,6 +101,11 @@ class Lists:
         pairs = (f"(({self._real(c)})%R, {self.number(e)})" for e, c in of.terms)
         return f"({' :: '.join([*pairs, 'nil'])})%list"
 
+    def swapped(self, of: Powers) -> str:
+        """The same with each exponent before its coefficient."""
+        pairs = (f"({self.number(e)}, ({self._real(c)})%R)" for e, c in of.terms)
+        return f"({' :: '.join([*pairs, 'nil'])})%list"
+
     def _real(self, coefficient: Expr) -> str:
         if complex_(coefficient):
             raise NotPrinted("a real coefficient that is written with j")

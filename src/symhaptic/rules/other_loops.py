@@ -205,7 +205,7 @@ def _counts_and_friction(printed: Printed) -> Proposition:
 
 
 UNDAMPED = Predicate("passive_wall", (), (K, sp.S.Zero, b, T, d))
-"""A spring behind a delay of d periods."""
+"""A spring with a delay of d periods."""
 
 
 @claims("rules:energy-leak", "rules:delay-damping")

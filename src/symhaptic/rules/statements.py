@@ -179,7 +179,7 @@ OTHER_LOOPS = (
     Statement(
         "rules:delay-damping",
         "open courses, for $B=0$",
-        "a delay takes as much damping as its share of the stiffness, beside that of the hold",
+        "a delay requires the damping $Kt_d$, in addition to the $KT/2$ that the hold requires",
         (r"b \geq \frac{KT}{2} + Kt_d",),
         condition=True,
     ),

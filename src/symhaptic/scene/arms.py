@@ -25,19 +25,31 @@ ROTARY = {"kg": "kg*m**2", "N*s/m": "N*m*s/rad", "N/m": "N*m/rad", "N": "N*m", "
 class Arm:
     """Mass-spring-damper model of the arm that holds the device, eq. (2).
 
-    =============  ============  =====  ====
-    ``mass``       m_H           kg     >= 0
-    ``damping``    b_H           Ns/m   >= 0
-    ``stiffness``  k_H           N/m    >= 0
-    =============  ============  =====  ====
+    Parameters
+    ----------
+    mass : float or str
+        m_H in kg, >= 0.
+    inertia : float or str
+        Moment of inertia of a rotary arm in kg m^2, >= 0, instead of the mass.
+    damping : float or str, optional
+        b_H in Ns/m, >= 0; for a rotary arm in N m s/rad.
+    stiffness : float or str, optional
+        k_H in N/m, >= 0; for a rotary arm in N m/rad.
+    with_device : bool, optional
+        Whether the numbers are those of an arm and its device together.
 
-    For a rotary device the arm has an ``inertia`` in kg m^2 instead of the mass, with ``damping``
-    in N m s/rad and ``stiffness`` in N m/rad.
+    Raises
+    ------
+    ValueError
+        If a value is negative, infinite, NaN or of the wrong dimension.
 
+    Notes
+    -----
     Numbers become float64; text with a unit and quantities of Pint are converted.  :meth:`of`
-    returns an arm of Table II.  Raises :class:`ValueError` for a value that is negative, infinite,
-    NaN or of the wrong dimension.
+    returns an arm of Table II.
 
+    Examples
+    --------
     >>> Arm.of("Hogan")
     Arm(mass=0.8, damping=5.5, stiffness=568.0, with_device=False)
     """
@@ -68,10 +80,25 @@ class Arm:
 
     @classmethod
     def of(cls, name: str) -> Arm:
-        """The arm in a row of Table II; ``name`` is one of :meth:`names`.
+        """The arm in a row of Table II of the paper.
 
-        Raises :class:`ValueError` for another name.
+        Parameters
+        ----------
+        name : str
+            One of :meth:`names`.
 
+        Returns
+        -------
+        Arm
+            With the published mass, damping and stiffness.
+
+        Raises
+        ------
+        ValueError
+            If the table has no such row.
+
+        Examples
+        --------
         >>> Arm.of("Lawrence and Chapel").mass
         0.5
         """
@@ -101,6 +128,13 @@ class Arm:
     def names() -> list[str]:
         """The authors of the rows of Table II.
 
+        Returns
+        -------
+        list of str
+            In the order of the table.
+
+        Examples
+        --------
         >>> len(Arm.names()), Arm.names()[0]
         (11, 'Daniel et al.')
         """
@@ -182,21 +216,33 @@ _HEAVIEST = 23.0
 class ArmRange:
     """Range of arms: a number, or (lowest, highest), for each parameter.
 
-    ======================  ================  =======  =====================================
-    ``mass``                m_H               kg       0 to 23, the heaviest of Table II + 30 %
-    ``damping``             b_H               Ns/m     whatever the mass
-    ``stiffness``           k_H               N/m      whatever the mass
-    ``damping_per_mass``    b_H/m_H           1/s      0 to 20, by (23) of the paper
-    ``stiffness_per_mass``  k_H/m_H           1/s^2    0 to 1000, by (23) of the paper
-    ======================  ================  =======  =====================================
+    Parameters
+    ----------
+    mass : float or (float, float), optional
+        m_H in kg.  The default is 0 (no arm) to 23, the heaviest arm of Table II plus 30 %.
+    inertia : float or (float, float), optional
+        Moment of inertia of rotary arms in kg m^2, instead of the mass.
+    damping : float or (float, float), optional
+        b_H in Ns/m or N m s/rad, whatever the mass.
+    stiffness : float or (float, float), optional
+        k_H in N/m or N m/rad, whatever the mass.
+    damping_per_mass : float or (float, float), optional
+        b_H/m_H in 1/s, instead of the damping.  The default is 0 to 20, by (23) of the paper.
+    stiffness_per_mass : float or (float, float), optional
+        k_H/m_H in 1/s^2, instead of the stiffness.  The default is 0 to 1000, by (23) of the paper.
 
-    The default is the range (23): delta <= 0.02 and gamma <= 0.001 at 1 kHz mean
-    k_H/m_H <= 1000/s^2 and b_H/m_H <= 20/s at any rate.  ``damping`` or ``stiffness`` replaces the
-    range per mass.  Mass 0 means no arm.  For a rotary device give ``inertia`` in kg m^2 instead of
-    ``mass``, with ``damping`` in N m s/rad and ``stiffness`` in N m/rad; ranges per mass are then
-    per moment of inertia.  Raises :class:`ValueError` for a value that is negative,
-    infinite or in the wrong order, and for two ranges of one parameter.
+    Raises
+    ------
+    ValueError
+        If a value is negative, infinite or in the wrong order, or if one parameter has two ranges.
 
+    Notes
+    -----
+    (23) of the paper has delta <= 0.02 and gamma <= 0.001.  At 1 kHz these are b_H/m_H <= 20/s and
+    k_H/m_H <= 1000/s^2, which then hold at any sampling rate.
+
+    Examples
+    --------
     >>> ArmRange(mass=(0.5, 2), damping=6, stiffness=(0, 600)).hands
     ((0.5, 2.0), (6.0, 6.0), (0.0, 600.0))
     """
@@ -234,6 +280,18 @@ class ArmRange:
     def around(cls, arms: Iterable[Arm]) -> ArmRange:
         """The smallest range that contains all the arms.
 
+        Parameters
+        ----------
+        arms : iterable of Arm
+            At least one arm.
+
+        Returns
+        -------
+        ArmRange
+            With ranges of mass, damping and stiffness.
+
+        Examples
+        --------
         >>> ArmRange.around([Arm.of("Hogan"), Arm.of("Lee et al.")]).mass
         (0.15, 0.8)
         """

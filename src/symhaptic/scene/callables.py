@@ -27,6 +27,7 @@ from symhaptic.notation import d
 from symhaptic.notation.extras import needed
 from symhaptic.notation.suggest import suggested
 from symhaptic.numeric import slopes
+from symhaptic.numeric.arguments import IN_ORDER
 from symhaptic.numeric.containers import kept
 from symhaptic.scene.scene import Scene
 
@@ -69,8 +70,9 @@ def lambdify(
     -------
     callable
         A function that returns one number or a tuple; ``"is_stable"`` returns a truth value.  The
-        arguments of a stable form are dimensionless and in the order that ``--list`` prints, those
-        of the other forms in the order of their names.  Outside the domain numbers are NaN, the
+        arguments of a stable form are dimensionless and in the order that ``symhaptic export
+        --list`` prints.  Those of the other forms are in the order of ``symhaptic check --list``,
+        or of their names if it does not list the formula.  Outside the domain numbers are NaN, the
         count ``"unstable_roots"`` is -1, and nothing is stable.
 
     Raises
@@ -263,7 +265,11 @@ def _of_the_paper(id: str, form: str, modules: str) -> Callable[..., Any]:
     own = next((ids[0] for name, ids in STATEMENTS.items() if name == id), id)
     lines = getattr(formula(own), form)
     sides = [_side(line) for line in lines]
-    symbols = sorted(set().union(*(side.free_symbols for side in sides)), key=str)
+    order = IN_ORDER.get(id, "").split()
+    symbols = sorted(
+        set().union(*(side.free_symbols for side in sides)),
+        key=lambda s: (order.index(s.name) if s.name in order else -1, s.name),
+    )
     found: Callable[..., Any] = sp.lambdify(
         symbols, sides[0] if len(sides) == 1 else sides, modules
     )

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from symhaptic.scene.loop import DeviceLoop
-from symhaptic.scene.picture import BELOW, EDGE, PASSIVE, STABLE, UNSTABLE
+from symhaptic.scene.picture import EDGE, PASSIVE, STABLE, UNSTABLE, finish
 from symhaptic.scene.walls import (
     is_stable,
     limit_at,
@@ -71,9 +71,7 @@ def draw_chart(axes: Axes, scene: DeviceLoop, wall: tuple[float, float] | None =
         good = bool(is_stable(scene, *wall))
         axes.plot(
             *wall, "x", ms=9, mew=2, color=EDGE if good else UNSTABLE,
-            label=f"this wall: {wall[0]:g} {in_K}, {wall[1]:g} {in_B}",
+            label=f"this wall: {wall[0]:.4g} {in_K}, {wall[1]:.4g} {in_B}",
         )  # fmt: skip
     axes.set(xlim=(0, 1.05 * high["K"] or 1), ylim=(0, 1.05 * high["B"] or 1))
-    axes.set(xlabel=f"virtual stiffness $K$ in {in_K}", ylabel=f"virtual damping $B$ in {in_B}")
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(**BELOW, ncols=2, fontsize=9)
+    finish(axes, in_K, in_B)

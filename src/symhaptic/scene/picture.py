@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from symhaptic.notation.extras import needed
 from symhaptic.numeric.boundary import stability_boundary
+from symhaptic.numeric.column import STYLE, column_figure, legend_below
 from symhaptic.numeric.passivity import passivity_boundary
 from symhaptic.numeric.stability import is_stable
 from symhaptic.scene import walls
@@ -27,14 +28,11 @@ if TYPE_CHECKING:
 
 STABLE, EDGE, PASSIVE, UNSTABLE = "#cfe6da", "#1b6e4b", "#c98a1b", "#b3261e"
 
-BELOW: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.17), "frameon": False}
-"""Where a legend is: below the axes."""
-
 
 def draw(axes: Axes, scene: DeviceLoop, wall: tuple[float, float] | None = None) -> None:
-    """Draw stable walls of device and arm, passive walls of the device, and the stiffest of both.
+    """Draw stable walls of device and arm, passive walls of the device, and both maxima of K.
 
-    ``wall`` (K, B) is marked, too.
+    K from left to right and B upwards, as in the paper; ``wall`` (K, B) is marked, too.
     """
     held, alone = together(scene), scene.device
     most = max_stable_stiffness(held)
@@ -43,59 +41,65 @@ def draw(axes: Axes, scene: DeviceLoop, wall: tuple[float, float] | None = None)
     low = {"K": -0.06 * high["K"], "B": -0.16 * high["B"]}
     if scene.further:
         for ring in walls.stable_region(held).outline:
-            axes.fill(ring[:, 1], ring[:, 0], color=STABLE, lw=0)
-            axes.plot(ring[:, 1], ring[:, 0], color=EDGE, lw=1.3)
+            axes.fill(ring[:, 0], ring[:, 1], color=STABLE, lw=0)
+            axes.plot(ring[:, 0], ring[:, 1], color=EDGE, lw=1.3)
     else:
         _traced(axes, held, low, high)
+    axes.fill([], [], color=STABLE, label="stable walls")
     in_K, in_B = scene.printed("N/m"), scene.printed("N*s/m")
     marks = [(most, _said("stable", most, scene))]
     if alone.damping and not why_not_passive(alone):
         marks.append(_passive(axes, alone))
     for (limit, text), shape in zip(marks, "od", strict=False):
-        axes.plot(limit.B, limit.K, shape, ms=5, color="black", zorder=3, label=text)
+        axes.plot(limit.K, limit.B, shape, ms=5, color="black", zorder=3, label=text)
     if wall is not None:
         good = bool(walls.is_stable(held, *wall))
-        text = f"this wall: {wall[0]:g} {in_K}, {wall[1]:g} {in_B}"
+        text = f"this wall: {wall[0]:.4g} {in_K}, {wall[1]:.4g} {in_B}"
         color = EDGE if good else UNSTABLE
         top = limit_at(held, wall[1]).K
         if good and wall[0] < top:
             axes.plot(
-                [wall[1], wall[1]], [wall[0], top],
+                [wall[0], top], [wall[1], wall[1]],
                 ":", color=color, label=f"to its limit: {digits(top - wall[0])} {in_K} more",
             )  # fmt: skip
-        axes.plot(wall[1], wall[0], "x", ms=9, mew=2, color=color, label=text)
-    axes.fill([], [], color=STABLE, label="stable walls")
+        axes.plot(*wall, "x", ms=9, mew=2, color=color, label=text)
     axes.axhline(0, color="black", lw=0.6)
     axes.axvline(0, color="black", lw=0.6)
-    axes.set(xlim=(low["B"], high["B"]), ylim=(low["K"], high["K"]))
-    axes.set(xlabel=f"virtual damping $B$ in {in_B}", ylabel=f"virtual stiffness $K$ in {in_K}")
+    axes.set(xlim=(low["K"], high["K"]), ylim=(low["B"], high["B"]))
+    finish(axes, in_K, in_B)
+
+
+def finish(axes: Axes, in_K: str, in_B: str) -> None:
+    """Labels with units, and the legend."""
+    axes.set(xlabel=f"virtual stiffness $K$ in {in_K}", ylabel=f"virtual damping $B$ in {in_B}")
     axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(**BELOW, ncols=2, fontsize=9)
+    legend_below(axes)
 
 
 def _traced(axes: Axes, held: DeviceLoop, low: dict[str, float], high: dict[str, float]) -> None:
     """The stable walls by their verdicts, and the explicit boundary."""
     n = held.dimensionless
     per_K, per_B = units(held.mass_or_inertia, held.sampling_period)
-    B, K = np.meshgrid(np.linspace(low["B"], high["B"], 900), np.linspace(low["K"], high["K"], 700))
+    K, B = np.meshgrid(np.linspace(low["K"], high["K"], 900), np.linspace(low["B"], high["B"], 700))
     stable = is_stable(K / per_K, B / per_B, n.gamma, n.delta, n.delay)
-    axes.contourf(B, K, stable, levels=[0.5, 1.5], colors=[STABLE])
+    axes.contourf(K, B, stable, levels=[0.5, 1.5], colors=[STABLE])
     theta = np.linspace(1e-4, min(np.pi, 2.2 * np.pi / (n.delay + 1)), 4000)
     alpha, beta = stability_boundary(theta, n.gamma, n.delta, n.delay)[:2]
     inside = (alpha * per_K < 1.5 * high["K"]) & (alpha * per_K > 3 * low["K"])
     inside &= (beta * per_B < 1.5 * high["B"]) & (beta * per_B > 3 * low["B"])
     axes.plot(
-        np.where(inside, beta * per_B, np.nan), np.where(inside, alpha * per_K, np.nan),
+        np.where(inside, alpha * per_K, np.nan), np.where(inside, beta * per_B, np.nan),
         color=EDGE, lw=1.3,
     )  # fmt: skip
 
 
 def new_axes(caller: str) -> Axes:
-    """Axes of a new figure, of the size of the pictures in the guides."""
+    """Axes of a new figure that fits a column of a journal and is saved with Type 42 fonts."""
     needed(caller, "matplotlib", extra="report")
     from matplotlib import pyplot
 
-    axes: Axes = pyplot.subplots(figsize=(7.2, 4.4), layout="constrained")[1]
+    with pyplot.rc_context(STYLE):
+        axes: Axes = pyplot.figure(FigureClass=column_figure()).subplots()
     return axes
 
 
@@ -105,7 +109,7 @@ def _passive(axes: Axes, alone: DeviceLoop) -> tuple[Stiffness, str]:
     if alone.further:
         for ring in walls.passive_region(alone).outline:
             axes.fill(
-                ring[:, 1], ring[:, 0], color=PASSIVE, alpha=0.75, lw=0, label="passive walls"
+                ring[:, 0], ring[:, 1], color=PASSIVE, alpha=0.75, lw=0, label="passive walls"
             )
         return safe, _said("passive", safe, alone)
     _, own, delay = alone.dimensionless
@@ -114,7 +118,7 @@ def _passive(axes: Axes, alone: DeviceLoop) -> tuple[Stiffness, str]:
     alpha, beta = passivity_boundary(angles, own, delay)[:2]
     known = np.isfinite(alpha) & (alpha >= 0)
     axes.fill(
-        np.r_[-own, beta[known]] * per_B, np.r_[0, alpha[known]] * per_K,
+        np.r_[0, alpha[known]] * per_K, np.r_[-own, beta[known]] * per_B,
         color=PASSIVE, alpha=0.75, lw=0, label="passive walls",
     )  # fmt: skip
     return safe, _said("passive", safe, alone)
@@ -123,7 +127,7 @@ def _passive(axes: Axes, alone: DeviceLoop) -> tuple[Stiffness, str]:
 def _said(kind: str, wall: Stiffness, scene: DeviceLoop) -> str:
     """A limit in words."""
     in_K, in_B = scene.printed("N/m"), scene.printed("N*s/m")
-    return f"stiffest {kind} wall: {digits(wall.K)} {in_K}, {wall.B:.3g} {in_B}"
+    return f"max. {kind} stiffness: {digits(wall.K)} {in_K}, {wall.B:.3g} {in_B}"
 
 
 def digits(K: float) -> str:

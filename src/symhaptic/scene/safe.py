@@ -23,7 +23,7 @@ from symhaptic.numeric.boundary import stability_boundary
 from symhaptic.scene.arms import Arm, ArmRange, checked_range
 from symhaptic.scene.dimensionless import units
 from symhaptic.scene.loop import DeviceLoop
-from symhaptic.scene.picture import BELOW, EDGE, PASSIVE, STABLE, UNSTABLE, digits, new_axes
+from symhaptic.scene.picture import EDGE, PASSIVE, STABLE, UNSTABLE, digits, finish, new_axes
 from symhaptic.scene.walls import max_stable_stiffness
 from symhaptic.scene.words import table
 
@@ -293,7 +293,7 @@ def draw_safe(axes: Axes, safe: SafeWalls, wall: tuple[float, float] | None = No
     The border of the stable walls of the device without an arm is drawn beside them.
     """
     outline, box = safe.outline, safe.rectangle
-    axes.fill(outline[:, 1], outline[:, 0], color=STABLE, lw=0, label="stable with every arm")
+    axes.fill(outline[:, 0], outline[:, 1], color=STABLE, lw=0, label="stable with every arm")
     alone = safe.scene
     most = max_stable_stiffness(alone)
     high = {
@@ -308,29 +308,27 @@ def draw_safe(axes: Axes, safe: SafeWalls, wall: tuple[float, float] | None = No
     far = {name: 2 * end for name, end in high.items()}
     seen = (K > 0) & (far["K"] > K) & (abs(B) < far["B"])
     axes.plot(
-        np.where(seen, B, np.nan), np.where(seen, K, np.nan),
+        np.where(seen, K, np.nan), np.where(seen, B, np.nan),
         color=EDGE, lw=1.3, label="border without an arm",
     )  # fmt: skip
     (low, top), (left, right) = box
     in_K, in_B = safe._units
     axes.plot(
-        [left, right, right, left, left], [low, low, top, top, low],
+        [low, low, top, top, low], [left, right, right, left, left],
         color="black", lw=1, ls="--",
         label=f"{digits(top)} {in_K} with {left:.3g} to {right:.3g} {in_B}",
     )  # fmt: skip
     if safe.passive_corners:
         corners = np.array(safe.passive_corners)
-        axes.fill(corners[:, 1], corners[:, 0], color=PASSIVE, lw=0, label="passive")
+        axes.fill(corners[:, 0], corners[:, 1], color=PASSIVE, lw=0, label="passive")
         stiff = safe.stiffest_passive
         if stiff and stiff[0] < 0.02 * high["K"]:
-            axes.plot(stiff[1], stiff[0], "d", ms=5, color=PASSIVE, zorder=3, clip_on=False)
+            axes.plot(*stiff[:2], "d", ms=5, color=PASSIVE, zorder=3, clip_on=False)
     if wall is not None:
         good = bool(safe.contains(*wall))
         axes.plot(
-            wall[1], wall[0], "x", ms=9, mew=2, color=EDGE if good else UNSTABLE,
-            label=f"this wall: {wall[0]:g} {in_K}, {wall[1]:g} {in_B}",
+            *wall, "x", ms=9, mew=2, color=EDGE if good else UNSTABLE,
+            label=f"this wall: {wall[0]:.4g} {in_K}, {wall[1]:.4g} {in_B}",
         )  # fmt: skip
-    axes.set(xlim=(0, high["B"]), ylim=(0, high["K"]))
-    axes.set(xlabel=f"virtual damping $B$ in {in_B}", ylabel=f"virtual stiffness $K$ in {in_K}")
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(**BELOW, ncols=2, fontsize=9)
+    axes.set(xlim=(0, high["K"]), ylim=(0, high["B"]))
+    finish(axes, in_K, in_B)

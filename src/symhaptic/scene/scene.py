@@ -112,15 +112,28 @@ class Scene(DeviceLoop):
 
     @classmethod
     def of(cls, device: str, **given: Any) -> Scene:
-        """Scene with a published device; ``name`` is one of ``Scene.devices()``.
+        """Scene with a published device.
 
-        ``given`` are arguments of :class:`Scene`: the sampling period, the delay, and values of
-        the device that are not published.  They override published values.  :meth:`devices`
-        returns the source, and the wall that the driver recommends.
+        Parameters
+        ----------
+        device : str
+            A name that :meth:`devices` lists.
+        **given
+            Arguments of :class:`Scene`: the sampling period, the delay, and values of the device
+            that are not published.  They override published values.
 
-        Raises :class:`ValueError` for an unknown name, and if neither ``given`` nor the source has
-        a mass.
+        Returns
+        -------
+        Scene
+            The device with its published mass and damping.
 
+        Raises
+        ------
+        ValueError
+            If the name is unknown, or if neither ``given`` nor the source has a mass.
+
+        Examples
+        --------
         >>> Scene.of("Phantom Premium 1.5", sampling_period=0.001, delay_samples=1.5).damping
         0.005
         """
@@ -138,11 +151,17 @@ class Scene(DeviceLoop):
 
     @staticmethod
     def devices() -> dict[str, dict[str, float | str | None]]:
-        """Published data of devices: mass in kg, damping in Ns/m, K in N/m, B in Ns/m, source.
+        """Published data of devices.
 
-        K and B are the largest values that a driver or a course recommends.  ``None`` means not
-        published.
+        Returns
+        -------
+        dict of dict
+            By the name of the device: ``mass`` in kg, ``damping`` in Ns/m, ``K`` in N/m, ``B`` in
+            Ns/m and ``source``.  K and B are the largest values that a driver or a course
+            recommends. ``None`` means not published.
 
+        Examples
+        --------
         >>> Scene.devices()["Novint Falcon"]["K"]
         3000.0
         """
@@ -153,9 +172,17 @@ class Scene(DeviceLoop):
     def held_by(self, arm: Arm) -> Scene:
         """The same device, coupled to an arm.
 
-        Masses, dampings and stiffnesses add up for stability, (2); passivity counts the device
-        alone, (3).  An arm that was measured together with its device (``arm.with_device``) takes
-        the device's place for stability.
+        Parameters
+        ----------
+        arm : Arm
+            The arm.  One that was measured together with its device (``with_device=True``) takes
+            the device's place for stability.
+
+        Returns
+        -------
+        Scene
+            For stability, the arm's mass, damping and stiffness are added to the device, (2).  For
+            passivity, the arm is ignored, (3).
 
         Raises
         ------
@@ -180,14 +207,30 @@ class Scene(DeviceLoop):
         return replace(self, arm=checked(arm, self.rotary))
 
     def is_stable(self, K: ArrayLike, B: ArrayLike) -> Any:
-        """Whether walls of stiffness ``K`` (N/m) and damping ``B`` (Ns/m) are stable.
+        """Whether the loop with a wall is stable, of device and arm together.
 
-        Returns a truth value for numbers.  Arrays, also of other libraries, broadcast.  NaN is not
-        stable.  For quantities of Pint, methods that return numbers return quantities in N/m,
-        Ns/m, s or Hz.
+        Parameters
+        ----------
+        K, B : float, str or array_like
+            Stiffness in N/m and damping in Ns/m of the walls, finite.  Arrays broadcast; they may
+            be those of xarray, Dask, pandas and Pint.
 
-        Raises :class:`ValueError` for an infinite K or B and units that cannot be converted.
+        Returns
+        -------
+        bool or array of bool
+            A truth value for numbers, an array of the same library for arrays.  NaN is not stable.
 
+        Raises
+        ------
+        ValueError
+            If ``K`` or ``B`` is infinite or has a unit that cannot be converted.
+
+        See Also
+        --------
+        symhaptic.is_stable : The same in dimensionless parameters.
+
+        Examples
+        --------
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
         >>> scene.is_stable([249, 252], B=0.0).tolist()
         [True, False]
@@ -197,11 +240,27 @@ class Scene(DeviceLoop):
         return is_stable(self, K, B)
 
     def is_passive(self, K: ArrayLike, B: ArrayLike) -> Any:
-        """Whether no motion of the device extracts energy from walls of ``K`` and ``B``.
+        """Whether no motion of the device extracts energy from a wall.
 
-        Counts the device alone, (3); an arm is ignored.  A wall is passive if its
-        :meth:`passivity_margin` is not negative.  Arguments as for :meth:`is_stable`.
+        Parameters
+        ----------
+        K, B : float, str or array_like
+            Stiffness in N/m and damping in Ns/m of the walls, finite.  Arrays broadcast; they may
+            be those of xarray, Dask, pandas and Pint.
 
+        Returns
+        -------
+        bool or array of bool
+            Whether :meth:`passivity_margin` is not negative.  The device alone counts, (3); an arm
+            is ignored.
+
+        Raises
+        ------
+        ValueError
+            If ``K`` or ``B`` is infinite or has a unit that cannot be converted.
+
+        Examples
+        --------
         >>> Scene(mass=0.1, damping=0.5, sampling_period=0.001).is_passive(999.0, 0.0)  # 2 b/T
         True
         """
@@ -210,11 +269,27 @@ class Scene(DeviceLoop):
         return is_passive(self, K, B)
 
     def passivity_margin(self, K: ArrayLike, B: ArrayLike) -> Any:
-        """Damping of the device minus the damping that walls of ``K`` and ``B`` require, in Ns/m.
+        """Damping of the device minus the damping that a wall requires.
 
-        Counts the device alone, (3); an arm is ignored.  The margin is negative for a wall that is
-        not passive, and -inf for ``K`` < 0.  Arguments as for :meth:`is_stable`.
+        Parameters
+        ----------
+        K, B : float, str or array_like
+            Stiffness in N/m and damping in Ns/m of the walls, finite.  Arrays broadcast; they may
+            be those of xarray, Dask, pandas and Pint.
 
+        Returns
+        -------
+        float or array
+            The margin in Ns/m.  Negative for a wall that is not passive, and -inf for ``K`` < 0.
+            The device alone counts, (3); an arm is ignored.
+
+        Raises
+        ------
+        ValueError
+            If ``K`` or ``B`` is infinite or has a unit that cannot be converted.
+
+        Examples
+        --------
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
         >>> round(scene.passivity_margin(400.0, 0.0), 9)  # b - K T/2
         0.3
@@ -224,13 +299,29 @@ class Scene(DeviceLoop):
         return passivity_margin(self, K, B)
 
     def stability_boundary(self, frequency_hz: ArrayLike) -> tuple[Any, Any]:
-        """K in N/m and B in Ns/m of the walls with which the loop oscillates at ``frequency_hz``.
+        """Walls with which the loop oscillates at a frequency.
 
-        Frequencies are in Hz, between 0 and 1/(2 T).  Not every such wall lies on the border of
-        the stable region.
+        Parameters
+        ----------
+        frequency_hz : array_like
+            Frequencies in Hz, between 0 and 1/(2 T).
 
-        Raises :class:`ValueError` for other frequencies; NaN gives NaN.
+        Returns
+        -------
+        K, B : float or array
+            Stiffness in N/m and damping in Ns/m.  NaN gives NaN.
 
+        Raises
+        ------
+        ValueError
+            If a frequency is not between 0 and 1/(2 T).
+
+        Notes
+        -----
+        Not every such wall lies on the border of the stable region, see :meth:`stable_region`.
+
+        Examples
+        --------
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
         >>> K, B = scene.stability_boundary(scene.max_stable_stiffness().frequency_hz)
         >>> round(K), round(B, 1)
@@ -241,10 +332,20 @@ class Scene(DeviceLoop):
         return stability_boundary(self, frequency_hz)
 
     def stable_region(self) -> StableWalls:
-        """The stable walls of the (K, B) plane, in N/m and Ns/m: outline, area, limits.
+        """All stable walls as a region of the plane of K in N/m and B in Ns/m.
 
-        Raises :class:`ValueError` for more than 100 000 periods of delay.
+        Returns
+        -------
+        StableWalls
+            With ``outline``, ``area``, ``contains``, ``max_stiffness`` and further limits.
 
+        Raises
+        ------
+        ValueError
+            If the delay is longer than 100 000 sampling periods.
+
+        Examples
+        --------
         >>> region = Scene(mass=0.1, sampling_period=0.001).stable_region()
         >>> round(region.max_stiffness.K, 3), region.contains(1000.0, 5.0)
         (68629.15, True)
@@ -254,10 +355,16 @@ class Scene(DeviceLoop):
         return stable_region(self)
 
     def passive_region(self) -> PassiveWalls:
-        """The passive walls of the (K, B) plane, in N/m and Ns/m: outline, area, maximum stiffness.
+        """All passive walls as a region of the plane of K in N/m and B in Ns/m.
 
-        Counts the device alone, (3).  The region is empty if the device has no damping.
+        Returns
+        -------
+        PassiveWalls
+            With ``outline``, ``area``, ``contains`` and ``max_stiffness``.  The device alone
+            counts, (3).  Empty if the device has no damping.
 
+        Examples
+        --------
         >>> region = Scene(mass=0.1, damping=0.5, sampling_period=0.001).passive_region()
         >>> round(region.area, 3), region.contains(400.0, 0.2)  # a triangle, b times 2 b/T
         (500.0, True)
@@ -271,13 +378,33 @@ class Scene(DeviceLoop):
     @overload
     def max_stable_stiffness(self, B: ArrayLike) -> Limit: ...
     def max_stable_stiffness(self, B: ArrayLike | None = None) -> Stiffness | Limit:
-        """Largest stiffness in N/m of a stable wall, of any damping or of the damping ``B``.
+        """Largest stiffness of a stable wall, of any damping or of a given one.
 
-        Returns a number with two attributes: the required virtual damping ``.B`` in Ns/m, and
-        ``.frequency_hz``, at which the loop begins to oscillate.  With any other damping the limit
-        is lower; ``B`` in Ns/m gives that of :meth:`limit_at`, for an array ``B`` a
-        :class:`Limit` of arrays.
+        Parameters
+        ----------
+        B : float, str or array_like, optional
+            Virtual damping in Ns/m, finite.  If left out, the damping with the largest limit is
+            taken.
 
+        Returns
+        -------
+        Stiffness or Limit
+            A number in N/m with two attributes: the required virtual damping ``B`` in Ns/m, and
+            ``frequency_hz``, at which the loop begins to oscillate.  For an array ``B`` a tuple of
+            the arrays ``K``, ``B`` and ``frequency_hz``, as of :meth:`limit_at`.
+
+        Raises
+        ------
+        ValueError
+            If ``B`` is not a finite number, or if pieces of the boundary are missed, see
+            :func:`symhaptic.stable_region`.
+
+        Notes
+        -----
+        The limit is a supremum.  With any damping but ``.B`` it is lower.
+
+        Examples
+        --------
         >>> scene = Scene(mass=0.1, sampling_period=0.001)  # 4 (2 - r)(r - 1)/r m/T^2, r = sqrt 2
         >>> stiffest = scene.max_stable_stiffness()
         >>> round(stiffest, 3), round(stiffest.B, 3)
@@ -294,15 +421,29 @@ class Scene(DeviceLoop):
     @overload
     def max_passive_stiffness(self, B: ArrayLike) -> Limit: ...
     def max_passive_stiffness(self, B: ArrayLike | None = None) -> Stiffness | Limit:
-        """Largest stiffness in N/m of a passive wall, of any damping or of the damping ``B``.
+        """Largest stiffness of a passive wall, of any damping or of a given one.
 
-        Counts the device alone, (3); an arm is ignored.  Returns a number with the attributes
-        ``.B`` in Ns/m and ``.frequency_hz``, the worst frequency.  For an array ``B`` returns a
-        :class:`Limit` of arrays, also of xarray, Dask, pandas and Pint.  NaN if no wall of this
-        damping is passive.
+        Parameters
+        ----------
+        B : float, str or array_like, optional
+            Virtual damping in Ns/m, finite.  If left out, the damping with the largest limit is
+            taken.
 
-        Raises :class:`ValueError` if ``B`` is not a finite number.
+        Returns
+        -------
+        Stiffness or Limit
+            A number in N/m with the attributes ``B`` in Ns/m and ``frequency_hz``, the worst
+            frequency. For an array ``B`` a tuple of the arrays ``K``, ``B`` and ``frequency_hz``.
+            NaN if no wall of this damping is passive.  The device alone counts, (3); an arm is
+            ignored.
 
+        Raises
+        ------
+        ValueError
+            If ``B`` is not a finite number.
+
+        Examples
+        --------
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
         >>> round(scene.max_passive_stiffness(), 6)  # 2 b/T
         1000.0
@@ -335,7 +476,8 @@ class Scene(DeviceLoop):
         Notes
         -----
         Without delay K <= min(2 b/T, 2 f_c/Delta) [1]_, with the friction f_c and the resolution
-        Delta.  With a delay, :meth:`max_passive_stiffness` for B = 0 takes the place of 2 b/T.
+        Delta.  With a delay, :meth:`max_passive_stiffness` for B = 0 takes the place of 2 b/T.  A
+        virtual mass M takes 4 M/T^2 from the limit by friction.
         The bound is sufficient for passivity; :meth:`simulate` shows motions beyond it.
 
         .. [1] J. J. Abbott and A. M. Okamura, "Effects of position quantization and sampling rate
@@ -354,16 +496,33 @@ class Scene(DeviceLoop):
         return max_quantised_stiffness(self)
 
     def limit_at(self, B: ArrayLike) -> Limit:
-        """Largest stiffness K in N/m of a stable wall with the damping ``B`` in Ns/m.
+        """Largest stiffness of a stable wall with a given damping.
 
-        Returns K, ``B`` and the frequency in Hz at which the loop oscillates at this limit.  For an
-        array ``B``, also of xarray, Dask, pandas and Pint, these are arrays.  K is NaN if no
-        stiffness makes a wall of this damping stable.  K is a supremum, found among the crossings
-        of the explicit boundary; there may also be a lower limit.
+        Parameters
+        ----------
+        B : float, str or array_like
+            Virtual damping in Ns/m, finite.  Arrays may be those of xarray, Dask, pandas and Pint.
 
-        Raises :class:`ValueError` if ``B`` is not a finite number, and if pieces of the boundary
-        are missed, see :func:`symhaptic.stable_region`.
+        Returns
+        -------
+        Limit
+            ``K`` in N/m, ``B`` in Ns/m and ``frequency_hz``, at which the loop oscillates at this
+            limit; arrays for an array ``B``.  K is NaN if no stiffness makes a wall of this damping
+            stable.
 
+        Raises
+        ------
+        ValueError
+            If ``B`` is not a finite number, or if pieces of the boundary are missed, see
+            :func:`symhaptic.stable_region`.
+
+        Notes
+        -----
+        K is a supremum, found among the crossings of the explicit boundary.  There may also be a
+        lower limit.
+
+        Examples
+        --------
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
         >>> round(scene.limit_at(B=0.0).K, 1)
         250.4
@@ -428,14 +587,30 @@ class Scene(DeviceLoop):
         return damping_for(self, K)
 
     def sensitivity(self, B: float | None = None) -> dict[str, float]:
-        """Change of the stiffness limit in per cent for a 1 % increase of each parameter.
+        """Change of the stiffness limit, in percent, for a 1 % increase of each parameter.
 
-        The limit is :meth:`max_stable_stiffness`, or :meth:`limit_at` if a damping ``B`` in Ns/m is
-        given.  A parameter that is left out or 0 has no entry.  The arm's parameters are
-        ``arm_mass``, ``arm_damping`` and ``arm_stiffness``.  When the sampling period changes, a
-        delay given in s stays constant in s, and a delay given in periods stays constant in
-        periods.  Computed by differences, to about 1e-6.
+        Parameters
+        ----------
+        B : float, optional
+            Virtual damping in Ns/m; the limit is then :meth:`limit_at`, otherwise
+            :meth:`max_stable_stiffness`.
 
+        Returns
+        -------
+        dict of str to float
+            By the name of the parameter.  A parameter that is left out or 0 has no entry.  The
+            arm's parameters are ``arm_mass``, ``arm_damping`` and ``arm_stiffness``, and those of
+            parts are named alike, such as ``velocity_cutoff`` or ``structure_mass``; whole numbers
+            and the coefficients of a ``Filter`` or of ``dynamics`` have no entry.
+
+        Notes
+        -----
+        When the sampling period changes, a delay given in s stays constant in s, and a delay given
+        in periods stays constant in periods.  The delay of a simulator is always whole periods.
+        Computed by differences, to about 1e-6.
+
+        Examples
+        --------
         >>> scene = Scene(mass=0.1, sampling_period=0.001, delay_samples=1)
         >>> {name: round(x, 3) for name, x in scene.sensitivity().items()}
         {'mass': 1.0, 'sampling_period': -2.0, 'delay_samples': -1.078}
@@ -447,8 +622,14 @@ class Scene(DeviceLoop):
     def describe(self) -> str:
         """The scene and its limits in words, with units.
 
-        Stability counts device and arm together, passivity the device alone.
+        Returns
+        -------
+        str
+            One line per parameter and limit.  Stability counts device and arm together, passivity
+            the device alone.
 
+        Examples
+        --------
         >>> print(Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015).describe())
         mass             0.1 kg
         damping          0.5 Ns/m
@@ -480,13 +661,35 @@ class Scene(DeviceLoop):
         arm: Arm | None = None,
         axes: Axes | None = None,
     ) -> Axes:
-        """Draw the stable and the passive walls over B in Ns/m and K in N/m.
+        """Draw the stable and the passive walls, K from left to right and B upwards.
 
-        Stable walls count device and arm together (the scene's arm or ``arm``), passive walls the
-        device alone.  If ``K`` and ``B`` are given, marks this wall and its distance to the
-        stiffness limit.  Draws into Matplotlib's ``axes``, or new ones, and returns them.
+        Parameters
+        ----------
+        K, B : float or str, optional
+            A wall in N/m and Ns/m that is marked, with its distance to the stiffness limit.
+        arm : Arm, optional
+            An arm for the stable walls, instead of that of the scene.  Passive walls are those of
+            the device alone.
+        axes : matplotlib.axes.Axes, optional
+            Axes to draw into.
 
-        Raises :class:`ValueError` if only one of ``K`` and ``B`` is given.
+        Returns
+        -------
+        matplotlib.axes.Axes
+            ``axes``, or those of a new figure that fits a column of 3.5 in and is saved with Type
+            42 fonts.
+
+        Raises
+        ------
+        ValueError
+            If only one of ``K`` and ``B`` is given.
+
+        Examples
+        --------
+        >>> axes = Scene(mass=0.1, damping=2.0, sampling_period=1e-3).plot(K=4000.0, B=20.0)
+        >>> axes.get_xlabel()
+        'virtual stiffness $K$ in N/m'
+        >>> axes.figure.savefig("walls.pdf")  # doctest: +SKIP
         """
         from symhaptic.scene.picture import draw, new_axes
 
@@ -502,10 +705,7 @@ class Scene(DeviceLoop):
     def safe_walls(self, arm: Arms = None) -> SafeWalls:
         """Walls (K, B) that are proved stable for every arm of a range, and passive walls.
 
-        The proof encloses the loops by interval arithmetic, and a second check confirms its
-        certificate.  Delays may be integer or fractional, up to 60 periods.  The proved limits are
-        below the true ones: by about 1 % for short delays, by 10 % and more for delays of 5 to
-        50 ms.  Takes some seconds.
+        Takes some seconds.
 
         Parameters
         ----------
@@ -514,11 +714,26 @@ class Scene(DeviceLoop):
             own arm, or else the range (23) of the paper: 0 kg (no arm) to 23 kg, up to 1000 N/m
             and 20 Ns/m per kg.
 
+        Returns
+        -------
+        SafeWalls
+            With ``contains``, ``is_passive``, ``max_stiffness`` and the outline of the proved
+            walls.
+
         Raises
         ------
         ValueError
             If ``arm`` has another type, if the scene already has an arm, or if no wall is proved.
 
+        Notes
+        -----
+        The proof encloses the loops by interval arithmetic, and a second check confirms its
+        certificate.  Delays may be integer or fractional, up to 60 periods.  The proved limits are
+        below the true ones: by about 1 % for short delays, by 10 % and more for delays of 5 to 50
+        ms.
+
+        Examples
+        --------
         >>> from symhaptic import Arm
         >>> device = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
         >>> safe = device.safe_walls(arm=Arm(mass=0.8, damping=5.5, stiffness=568))
@@ -544,22 +759,41 @@ class Scene(DeviceLoop):
     ) -> Simplest:
         """The smallest model whose stiffness limit is proved to be within ``rtol`` of the scene's.
 
-        The limit is :meth:`max_stable_stiffness`, or, if ``B`` (Ns/m) is given, the largest stable
-        stiffness with this virtual damping.  The error is ``|K_model/K - 1|``.
+        Parameters
+        ----------
+        rtol : float
+            Largest relative error ``|K_model/K - 1|``, > 0.
+        mass, inertia, damping, stiffness : float or (float, float), optional
+            Parameters of device and arm together, in SI units, instead of the scene's: a number, or
+            a range (lowest, highest) over which the bound holds.
+        B : float or (float, float), optional
+            Virtual damping in Ns/m.  The limit is then the largest stable stiffness with this
+            damping, otherwise :meth:`max_stable_stiffness`.
+
+        Returns
+        -------
+        Simplest
+            All models with their proved bounds.  A model without a proof has an infinite bound,
+            with the reason.
+
+        Raises
+        ------
+        ValueError
+            If ``rtol`` is not positive, or if a range is impossible.
+
+        Notes
+        -----
+        The models are, the smallest first: the linear limit (25) (only with ``B``, because it grows
+        with ``B``), the loop without spring and damper, without spring, without damper, and the
+        full loop.
+
         Both K are tips of stability boundaries.  Without delay a tip is proved to be the largest
-        stable stiffness; with a delay it is proved that no stable wall is stiffer.
-        The models are, the smallest first: the linear limit (25) (only with ``B``, because it
-        grows with ``B``), the loop without spring and damper, without spring, without damper, and
-        the full loop.
+        stable stiffness; with a delay it is proved that no stable wall is stiffer.  Bounds are
+        proved by ball (interval) arithmetic, for integer delays.  Numbers count as the decimals
+        that they print as.
 
-        ``mass`` or ``inertia``, ``damping``, ``stiffness`` and ``B`` override the scene: a number,
-        or a range (lowest, highest) over which the bound holds.  Numbers count as the decimals that
-        they print as.  Bounds are proved by ball (interval) arithmetic, for integer delays.  A
-        model without a proof has an infinite bound, with the reason.  All parameters are those of
-        device and arm together.
-
-        Raises :class:`ValueError` for an ``rtol`` that is not > 0 and for an impossible range.
-
+        Examples
+        --------
         >>> arm = Scene(mass=1.0, damping=2.0, stiffness=50.0, sampling_period=0.001, delay=0.001)
         >>> print(arm.simplest(0.01, damping=(0.0, 20.0)))
           linear limit: not proved: it has no largest stiffness, but grows with B; give B
@@ -580,17 +814,38 @@ class Scene(DeviceLoop):
         return simplest(loop, rtol, {**over, "stiffness": stiffness, "B": B})
 
     def to_control(self) -> Any:
-        """The sampled device with its arm and its delay, from N to m, for python-control.
+        """The sampled device with its arm and its delay as a transfer function of python-control.
 
-        Raises :class:`ModuleNotFoundError` if python-control is not installed.
+        Returns
+        -------
+        control.TransferFunction
+            From the force in N to the position in m, with the sampling period as ``dt``.
+
+        Raises
+        ------
+        ModuleNotFoundError
+            If python-control is not installed.
+
+        Examples
+        --------
+        >>> system = Scene(mass=1.0, sampling_period=1.0).to_control()
+        >>> len(system.poles())
+        2
         """
         from symhaptic.scene.systems import control_system
 
         return control_system(self)
 
     def to_scipy(self) -> Any:
-        """The sampled device with its arm and its delay, from N to m, as a ``scipy.signal.dlti``.
+        """The sampled device with its arm and its delay as a ``scipy.signal.dlti``.
 
+        Returns
+        -------
+        scipy.signal.TransferFunction
+            From the force in N to the position in m.
+
+        Examples
+        --------
         >>> system = Scene(mass=1.0, sampling_period=1.0, delay=0.5).to_scipy()
         >>> system.num.tolist(), system.den.tolist()
         ([0.125, 0.75, 0.125], [1.0, -2.0, 1.0, 0.0])
@@ -600,7 +855,18 @@ class Scene(DeviceLoop):
         return scipy_system(self)
 
     def to_sympy(self) -> Any:
-        """The sampled device with arm and delay, from N to m, as a SymPy ``TransferFunction``."""
+        """The sampled device with its arm and its delay as a SymPy ``TransferFunction``.
+
+        Returns
+        -------
+        sympy.physics.control.TransferFunction
+            From the force in N to the position in m, with rational coefficients.
+
+        Examples
+        --------
+        >>> Scene(mass=1.0, sampling_period=1.0).to_sympy().num.as_poly().all_coeffs()
+        [1/2, 1/2]
+        """
         from symhaptic.scene.systems import sympy_system
 
         return sympy_system(self)
@@ -691,13 +957,32 @@ class Scene(DeviceLoop):
         )
 
     def delay_margin(self, K: ArrayLike, B: ArrayLike) -> Any:
-        """Delay in s that may be added until walls of ``K`` (N/m) and ``B`` (Ns/m) are unstable.
+        """Delay that may be added until the loop with a wall is unstable.
 
-        The wall is stable for every delay from the scene's own up to its own plus the margin.  The
-        margin is 0 for a wall that is unstable at the scene's delay, and NaN (not computed) for a
-        wall that is stable there but not at every smaller delay.  :meth:`max_delay` returns the
-        total delay.  Arguments as for :meth:`is_stable`.
+        Parameters
+        ----------
+        K, B : float, str or array_like
+            Stiffness in N/m and damping in Ns/m of the walls, finite.  Arrays broadcast; they may
+            be those of xarray, Dask, pandas and Pint.
 
+        Returns
+        -------
+        float or array
+            The margin in s.  The wall is stable for every delay from the scene's own up to its own
+            plus the margin.  0 for a wall that is unstable at the scene's delay.  NaN (not
+            computed) for a wall that is stable there but not at every smaller delay.
+
+        Raises
+        ------
+        ValueError
+            If ``K`` or ``B`` is infinite or has a unit that cannot be converted.
+
+        See Also
+        --------
+        max_delay : The largest total delay.
+
+        Examples
+        --------
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
         >>> round(1000 * scene.delay_margin(K=1000.0, B=5.0), 3)  # ms
         2.901
@@ -741,11 +1026,27 @@ class Scene(DeviceLoop):
         return stable_delays(self, K, B, up_to)
 
     def max_delay(self, K: ArrayLike, B: ArrayLike) -> Any:
-        """Largest delay in s up to which walls of ``K`` (N/m) and ``B`` (Ns/m) are stable.
+        """Largest delay up to which the loop with a wall is stable.
 
-        The wall is stable for every delay from 0 to this one; the scene's own delay is ignored.
-        0 for a wall that is unstable without delay.  Arguments as for :meth:`is_stable`.
+        Parameters
+        ----------
+        K, B : float, str or array_like
+            Stiffness in N/m and damping in Ns/m of the walls, finite.  Arrays broadcast; they may
+            be those of xarray, Dask, pandas and Pint.
 
+        Returns
+        -------
+        float or array
+            The delay in s.  The wall is stable for every delay from 0 to this one; the scene's own
+            delay is ignored.  0 for a wall that is unstable without delay.
+
+        Raises
+        ------
+        ValueError
+            If ``K`` or ``B`` is infinite or has a unit that cannot be converted.
+
+        Examples
+        --------
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
         >>> round(1000 * scene.max_delay(K=1000.0, B=5.0), 3)  # ms
         4.401

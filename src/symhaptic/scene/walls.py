@@ -6,12 +6,13 @@ What the functions of ``numeric`` answer without units; labels and laziness go w
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from symhaptic.loops.oversampled import Oversampled
 from symhaptic.loops.sensor import quantisation_limit
 from symhaptic.loops.trace import LONGEST as LONGEST_TRACED
 from symhaptic.loops.trace import Trace
@@ -91,6 +92,11 @@ def stable_delays(scene: DeviceLoop, K: Any, B: Any, up_to: Any) -> tuple[tuple[
     if periods > LONGEST_TRACED:
         most = f"{LONGEST_TRACED} periods, {LONGEST_TRACED * period:g} s"
         raise ValueError(f"up_to: {up_to!r} is not allowed; give at most {most}")
+    if scene.integrator != "hold":
+        raise ValueError(
+            f"integrator: {scene.integrator!r} is not allowed for windows of the delay; "
+            "a simulator has no time between its steps"
+        )
     found = scene.engine.stable_delays(alpha, beta, 0.0, periods)
     return tuple((low * period, high * period) for low, high in found)
 
@@ -159,6 +165,12 @@ def _one(found: Any, kind: type) -> Any:
     return kind(found) if isinstance(found, np.ndarray | np.generic) and not found.ndim else found
 
 
+def plane(scene: DeviceLoop) -> tuple[str, str]:
+    """Labels of K and B with their units."""
+    in_K, in_B = scene.printed("N/m"), scene.printed("N*s/m")
+    return f"virtual stiffness $K$ in {in_K}", f"virtual damping $B$ in {in_B}"
+
+
 @dataclass(frozen=True)
 class StableWalls(Shape):
     """The walls (K, B) that a scene keeps stable, in N/m and Ns/m, or N m/rad and N m s/rad."""
@@ -170,6 +182,11 @@ class StableWalls(Shape):
     """Shapely's polygon or polygons, in the units of the walls; ``area`` is in N^2 s/m^2."""
     corners: NDArray[np.float64] = field(compare=False)
     """One row (K, B) per corner."""
+
+    @property
+    def labels(self) -> tuple[str, str]:
+        """What the axes of the plane are."""
+        return plane(self.scene)
 
     @property
     def max_stiffness(self) -> Limit:
@@ -204,6 +221,11 @@ class PassiveWalls(Shape):
     """Shapely's polygon, inside the curved border; ``area`` is in N^2 s/m^2."""
 
     @property
+    def labels(self) -> tuple[str, str]:
+        """What the axes of the plane are."""
+        return plane(self.scene)
+
+    @property
     def max_stiffness(self) -> Stiffness:
         """The stiffest passive wall."""
         return max_passive_stiffness(self.scene)
@@ -219,15 +241,18 @@ def passive_region(scene: DeviceLoop, corners: int = 400) -> PassiveWalls:
 
     scene = scene.device
     b, period = scene.damping or 0.0, scene.sampling_period
-    if b == 0:
-        return PassiveWalls(scene, Polygon())
     if scene.further:
         delta = scene.dimensionless.delta
-        B = np.linspace(*scene.engine.needs.without_stiffness(delta), corners)
+        low, high = scene.engine.needs.without_stiffness(delta)
+        if not low < high:
+            return PassiveWalls(scene, Polygon())
+        B = np.linspace(low, high, corners)
         K, _ = scene.engine.needs.limits(B, delta)
         own = units(scene.mass_or_inertia, period)
         walls = np.column_stack([np.nan_to_num(K), B]) * own
         return PassiveWalls(scene, MultiPoint([*walls, *(walls * (0, 1))]).convex_hull)
+    if b == 0:
+        return PassiveWalls(scene, Polygon())
     omega = np.linspace(1e-4, math.pi * (1 - 1e-6), 10 * corners)
     alpha, beta = passivity.passivity_boundary(omega, 1.0, scene.dimensionless.delay)
     known = np.flatnonzero(np.isfinite(alpha) & (alpha >= 0))
@@ -257,7 +282,8 @@ def max_passive_stiffness(scene: DeviceLoop) -> Stiffness:
 def quantised_limits(scene: DeviceLoop) -> dict[str, Stiffness]:
     """Stiffness up to which a wall without damping is passive with an encoder, by what limits it.
 
-    The position is rounded by at most Delta/2, and so the force is wrong by at most K Delta/2.
+    The position is rounded by at most Delta/2, and so the force is wrong by at most K Delta/2, or
+    with a virtual mass M by (K + 4 M/T^2) Delta/2: three positions make a second difference.
     Friction of this size dissipates in each instant what the error gives, and the rest of the loop
     is that without encoder.  Without virtual damping the filter of the velocity does not matter.
     """
@@ -266,6 +292,7 @@ def quantised_limits(scene: DeviceLoop) -> dict[str, Stiffness]:
     of_damping = passive_limit_at(replace(scene, velocity=None), 0.0)
     passive = 0.0 if math.isnan(of_damping.K) else of_damping.K
     friction = quantisation_limit(scene.encoder.resolution, scene.coulomb_friction or 0.0)
+    friction = max(friction - 4 * (scene.virtual_mass or 0.0) / scene.sampling_period**2, 0.0)
     return {
         "damping": Stiffness(passive, 0.0, of_damping.frequency_hz),
         "friction": Stiffness(friction, 0.0, math.nan),
@@ -347,29 +374,51 @@ _STEP = 1e-4
 
 def sensitivity(scene: DeviceLoop, B: float | None = None) -> dict[str, float]:
     """Change of the stiffness limit in per cent for a 1 % increase of each parameter."""
-    moved = "inertia" if scene.rotary else "mass", "damping", "stiffness"
-    arm = tuple(f"arm_{name}" for name in moved) if scene.arm else ()
     here, found = _limit(scene, B), {}
-    for name in (*moved, *arm, "sampling_period", "delay", "delay_samples"):
-        owner = scene.arm if name in arm else scene
-        value = getattr(owner, name.removeprefix("arm_"))
-        if value:
-            # forward alone: at an integer delay the slope to the left is another one
-            more, most = (_limit(_changed(scene, name, value * (1 + n * _STEP)), B) for n in (1, 2))
-            found[name] = (4 * more - 3 * here - most) / (2 * _STEP * here)
+    for name, value in _parameters(scene).items():
+        # forward: at an integer delay the slope to the left is another one
+        step = -_STEP if name == "velocity_weight" else _STEP  # a weight may be 1, which is most
+        more, most = (_limit(_changed(scene, name, value * (1 + n * step)), B) for n in (1, 2))
+        found[name] = (4 * more - 3 * here - most) / (2 * step * here)
     return found
+
+
+def _parameters(scene: DeviceLoop) -> dict[str, float]:
+    """The parameters that are not 0, by their names; those of arm and parts with theirs before."""
+    own = "mass", "inertia", "damping", "stiffness"
+    owners: list[tuple[str, Any, Iterable[str]]] = [("", scene, own)]
+    if scene.arm is not None:
+        owners.append(("arm_", scene.arm, own))
+    late = ("delay", "delay_samples") if scene.integrator == "hold" else ()
+    owners.append(("", scene, ("sampling_period", *late, "virtual_mass")))
+    for part in ("velocity", "actuator", "structure"):
+        of: Any = getattr(scene, part)
+        of = of.velocity if isinstance(of, Oversampled) else of
+        if of is not None:
+            without = "damping_ratio" if getattr(of, "order", 2) == 1 else ""
+            names = [each.name for each in fields(of) if each.init and each.name != without]
+            owners.append((f"{part}_", of, names))
+    found = {f"{part}{name}": getattr(of, name) for part, of, names in owners for name in names}
+    return {name: value for name, value in found.items() if isinstance(value, float) and value}
 
 
 def _limit(scene: DeviceLoop, B: float | None) -> float:
     return float(max_stable_stiffness(scene) if B is None else limit_at(scene, B).K)
 
 
-def _changed(scene: DeviceLoop, name: str, value: float) -> DeviceLoop:
-    """The scene with another value of a parameter, of its own or of its arm."""
-    own: dict[str, Any] = {name.removeprefix("arm_"): value}
-    if name in own or scene.arm is None:
-        return replace(scene, **own)
-    return replace(scene, arm=replace(scene.arm, **own))
+def _changed(scene: DeviceLoop, name: str, value: Any) -> DeviceLoop:
+    """The scene with another value of a parameter, of its own or of its arm or of a part."""
+    owner, _, own = name.partition("_")
+    if owner in ("arm", "velocity", "actuator", "structure"):
+        part: Any = getattr(scene, owner)
+        if isinstance(part, Oversampled):
+            inner: Any = part.velocity
+            own, value = "velocity", replace(inner, **{own: value})
+        return replace(scene, **{owner: replace(part, **{own: value})})
+    changed: dict[str, Any] = {name: value}
+    if name == "sampling_period" and scene.integrator != "hold" and scene.delay:
+        changed |= {"delay": None, "delay_samples": float(scene.periods)}
+    return replace(scene, **changed)
 
 
 def stable_region(scene: DeviceLoop) -> StableWalls:

@@ -111,7 +111,7 @@ def _limit(scene: DeviceLoop, K: float, hz: float, B: float | None = None) -> st
 
 
 def latex(scene: DeviceLoop) -> str:
-    r"""The parameters and the dimensionless ones of Table I, as LaTeX.
+    r"""The parameters and the dimensionless ones of Table I, as LaTeX, and parts in words.
 
     With an arm, gamma and delta are those of device and arm together.
 
@@ -152,6 +152,8 @@ def latex(scene: DeviceLoop) -> str:
     ]
     both = [r",\ ".join(each) for each in (given, without) if each]
     joined = r";\ ".join(both)
+    words = [rf"\text{{{name}: {said}}}" for name, said in _parts(scene).items()]
+    joined = r";\ ".join([joined, *words])
     return f"${joined}$"
 
 

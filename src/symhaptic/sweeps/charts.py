@@ -15,9 +15,10 @@ import numpy as np
 
 from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import shown
+from symhaptic.numeric.column import legend_below
 from symhaptic.scene.dimensionless import units
 from symhaptic.scene.loop import together
-from symhaptic.scene.picture import BELOW, EDGE, PASSIVE, STABLE, UNSTABLE
+from symhaptic.scene.picture import EDGE, PASSIVE, STABLE, UNSTABLE
 from symhaptic.sweeps.axes import scene_or_none
 from symhaptic.sweeps.drawing import figure_and_axes, filled, in_ms, labelled, plain, said
 from symhaptic.sweeps.quantities import IN_SI, INPUTS, in_si
@@ -72,22 +73,22 @@ def robust_limits(
         "is_stable", scene, over=names[2:], reduce=("all", "any"), **walls, **arms, **late
     )
     figure, axes = figure_and_axes()
-    x, y = found[names[1]], found[names[0]]
+    x, y = found[names[0]], found[names[1]]
     count = len(arms[names[2]]) * len(arms[names[3]])
     shown = (
         ("any", "#f3dfb0", "stable for some of them only"),
         ("all", STABLE, f"stable for all of {count} arms" if count > 1 else "stable"),
     )
     for word, colour, label in shown:
-        values = found[f"is_stable_{word}"].astype(float)
+        values = found[f"is_stable_{word}"].astype(float).T
         axes.contourf(x, y, values, levels=[0.5, 1.5], colors=[colour])
         axes.contour(x, y, values, levels=[0.5], colors=[EDGE], linewidths=0.8)
         axes.fill([], [], color=colour, label=label)
     axes.axhline(0, color="black", lw=0.5)
     axes.axvline(0, color="black", lw=0.5)
     labelled(axes, x, y)
-    axes.set_title(_range(scene, arms), fontsize=9, loc="left")
-    axes.legend(**BELOW, ncols=2)
+    axes.set_title(_range(scene, arms), fontsize=7, loc="left")
+    legend_below(axes)
     return figure
 
 
@@ -154,8 +155,8 @@ def delay_margin(
     lines = (_line(name, e, _enough(points)) for name, e in ends.items())
     walls: dict[str, Any] = dict(zip(names, lines, strict=True))
     found = sweep("delay_margin", scene, **walls, **fixed)
-    x, y = found[names[1]], found[names[0]]
-    margin = in_ms(found.delay_margin)
+    x, y = found[names[0]], found[names[1]]
+    margin = in_ms(found.delay_margin).transpose(names[1], names[0])
     figure, axes = figure_and_axes()
     filled(figure, axes, x, y, margin, said(margin))
     lost = (margin == 0).astype(float)
@@ -166,7 +167,7 @@ def delay_margin(
         axes.contourf(x, y, ever, levels=[0.5, 1.5], colors=[PASSIVE])
         axes.fill([], [], color=PASSIVE, label="stable with any delay")
     labelled(axes, x, y)
-    axes.legend(**BELOW, ncols=2)
+    legend_below(axes)
     return figure
 
 
@@ -211,8 +212,8 @@ def model_costs(
     axes.yaxis.set_minor_formatter(LogFormatter())  # a narrow range, and without powers of ten
     axes.set(xlim=(float(across.min()), float(across.max())))
     axes.set(xlabel=said(across), ylabel="largest error of the stiffest wall in %")
-    axes.set_title(_range(scene, arms), fontsize=9, loc="left")
-    axes.legend(**BELOW, ncols=3)
+    axes.set_title(_range(scene, arms), fontsize=7, loc="left")
+    legend_below(axes, 3)
     return figure
 
 

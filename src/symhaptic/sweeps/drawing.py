@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from symhaptic.numeric.column import STYLE, column_figure
+
 if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
@@ -15,13 +17,13 @@ if TYPE_CHECKING:
 
 def figure_and_axes() -> tuple[Figure, Axes]:
     """A new figure, which needs no screen, and its axes."""
+    from matplotlib import rc_context
     from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure as New
 
-    figure = New(figsize=(6.4, 4.4), layout="constrained")
-    FigureCanvasAgg(figure)
-    axes = figure.subplots()
-    axes.spines[["top", "right"]].set_visible(False)
+    with rc_context(STYLE):
+        figure = column_figure()()
+        FigureCanvasAgg(figure)
+        axes = figure.subplots()
     return figure, axes
 
 
@@ -75,6 +77,7 @@ def filled(
     What is below or beyond all of these is drawn as the least and the largest; nothing where all
     is infinite or nothing.
     """
+    from matplotlib import rc_context
     from matplotlib.colors import LogNorm
 
     if not bool((np.isfinite(values) & (values > 0)).any()):
@@ -84,7 +87,8 @@ def filled(
     norm = LogNorm(levels[0], levels[-1])
     areas = axes.contourf(x, y, inside, levels=levels, norm=norm, cmap="viridis")
     axes.contour(x, y, inside, levels=levels[1:-1], colors="white", linewidths=0.5)
-    bar = figure.colorbar(areas, ax=axes, ticks=levels)
-    bar.ax.yaxis.set_major_formatter(plain)
-    bar.ax.minorticks_off()
-    bar.set_label(label)
+    with rc_context(STYLE):
+        bar = figure.colorbar(areas, ax=axes, ticks=levels)
+        bar.ax.yaxis.set_major_formatter(plain)
+        bar.ax.minorticks_off()
+        bar.set_label(label)

@@ -64,7 +64,6 @@ def _symbol(name: str, says: str = "") -> Meaning:
 
 INPUTS: dict[str, Meaning] = {
     **{name: _symbol(name) for name in ("alpha", "beta", "gamma", "delta", "theta")},
-    "omega": _symbol("omega_hat"),
     "delay": _symbol("d"),
 }
 """Arguments without units."""
@@ -79,7 +78,7 @@ IN_SI: dict[str, Meaning] = {
     "stiffness": _symbol("k"),
     "delay": _symbol("t_d"),
     "delay_samples": _symbol("d"),
-    "frequency_hz": Meaning("Hz", "frequency of the swing", "f"),
+    "frequency_hz": Meaning("Hz", "frequency of the oscillation", "f"),
 }
 """Arguments of a scene and its walls; those of a rotary scene have other units, see below."""
 
@@ -93,16 +92,16 @@ def in_si(meaning: Meaning, rotary: bool) -> Meaning:
 _TRUE = Meaning("1", "whether all characteristic roots are inside the unit circle")
 _STIFFEST = (
     Result("alpha", _symbol("alpha", "largest stable virtual stiffness, K T^2/m")),
-    Result("beta", _symbol("beta", "virtual damping that it needs, B T/m")),
-    Result("theta", _symbol("theta", "angle at which the loop swings there, omega T")),
+    Result("beta", _symbol("beta", "its virtual damping, B T/m")),
+    Result("theta", _symbol("theta", "angle at which the loop oscillates there, omega T")),
 )
 _SAFEST = (
     Result("alpha", _symbol("alpha", "largest passive virtual stiffness, K T^2/m")),
-    Result("beta", _symbol("beta", "virtual damping that it needs, B T/m")),
+    Result("beta", _symbol("beta", "its virtual damping, B T/m")),
     Result("theta", _symbol("theta", "its worst angle, omega T")),
 )
 _EDGE = (Result("alpha", _symbol("alpha")), Result("beta", _symbol("beta")))
-_MARGIN = Meaning("1", "physical damping minus the damping that the wall needs, times T/m")
+_MARGIN = Meaning("1", "physical damping minus the required damping of the wall, times T/m")
 _ADDED = Meaning("1", "delay margin, in sampling periods")
 _LONGEST = Meaning("1", "largest delay up to which the loop is stable, in sampling periods", "d")
 
@@ -154,10 +153,10 @@ QUANTITIES: dict[str, Quantity] = {
 _SI: dict[str, tuple[str, Meaning]] = {
     "alpha": ("K", Meaning("N/m", "", "K")),
     "beta": ("B", Meaning("Ns/m", "", "B")),
-    "theta": ("frequency_hz", Meaning("Hz", "frequency of the swing", "f")),
+    "theta": ("frequency_hz", Meaning("Hz", "frequency of the oscillation", "f")),
     "passivity_margin": (
         "passivity_margin",
-        Meaning("Ns/m", "physical damping minus the damping that the wall needs"),
+        Meaning("Ns/m", "physical damping minus the required damping of the wall"),
     ),
     "delay_margin": ("delay_margin", Meaning("s", "delay margin")),
     "max_delay": ("max_delay", Meaning("s", "largest delay up to which the loop is stable", "t_d")),
@@ -166,7 +165,7 @@ _SI: dict[str, tuple[str, Meaning]] = {
 
 _PARTS = {
     "alpha": ("K",), "beta": ("B",), "gamma": ("stiffness",), "delta": ("damping",),
-    "theta": ("frequency_hz",), "omega": ("frequency_hz",),
+    "theta": ("frequency_hz",),
 }  # fmt: skip
 
 

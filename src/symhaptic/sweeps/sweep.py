@@ -11,6 +11,7 @@ import numpy as np
 
 from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import shown
+from symhaptic.numeric.renamed import with_new_names
 from symhaptic.sweeps.axes import plan_of
 from symhaptic.sweeps.plan import Piece, Plan
 from symhaptic.sweeps.stores import store
@@ -37,39 +38,58 @@ def sweep(
     lazy: bool | None = None,
     **axes: Any,
 ) -> xarray.Dataset:
-    """Compute a quantity at all points of named axes, as a Dataset with units and meanings.
+    """Compute a quantity at all points of named axes.
 
-    ``quantity`` is a public function of arrays or its name, such as ``"is_stable"``, or a function
-    of your own, which takes arrays by name; processes must be able to import it.
+    Parameters
+    ----------
+    quantity : str or callable
+        A public function of arrays or its name, such as ``"is_stable"``, or a function of your own,
+        which takes arrays by name; processes must be able to import it.
+    scene : Scene, optional
+        With a scene, axes and results are in SI units, and the scene provides the values that no
+        axis gives.  For stability, the scene's arm is added to the device, (2); for passivity, it
+        is ignored, (3).
+    over : str or sequence of str, optional
+        Dimensions that are reduced.
+    reduce : str or sequence of str, optional
+        Reductions: ``"min"``, ``"max"`` or ``"mean"`` of numbers, ``"all"``, ``"any"``, ``"mean"``
+        or ``"count"`` of truth values.  NaN is included.
+    to : str or Path, optional
+        Store the result block by block: a name or the address of a store that ends in ``.zarr``, or
+        a name that ends in ``.parquet``.  To resume an interrupted sweep, make the same call again.
+    on : str, executor or client, optional
+        What computes the blocks: ``"threads"`` (the kernels release the lock), ``"processes"``, an
+        executor of ``concurrent.futures``, or a client of dask.distributed.
+    workers : int, optional
+        Number of threads or processes.
+    chunks : int or dict, optional
+        Points of a block, four million by default, or its lengths by dimension.
+    lazy : bool, optional
+        Return Dask arrays and compute nothing yet.  The default for a result that is larger than
+        half of the memory and is not stored.
+    **axes
+        Arguments of the quantity: numbers, one-dimensional arrays, or xarray's arrays.  A
+        one-dimensional array becomes a dimension with the name of its argument.  Give one shared
+        dimension to gamma and delta of the same arms.  With a scene: ``stiffness``, ``damping``,
+        ``mass``, ``sampling_period``, ``delay`` or ``delay_samples`` of the device, ``K`` and ``B``
+        of a wall, or ``frequency_hz``.
 
-    ``axes`` are the arguments of the quantity: numbers, one-dimensional arrays, or xarray's arrays.
-    A one-dimensional array becomes a dimension with the name of its argument.  xarray's arrays have
-    dimensions of their own; give one shared dimension to gamma and delta of the same arms.
+    Returns
+    -------
+    xarray.Dataset
+        The results over the axes, with units and meanings, the same bit for bit wherever a block is
+        computed.  With a scene in N/m, Ns/m, s and Hz.
 
-    With a ``scene``, the axes are in SI units instead: ``stiffness``, ``damping``, ``mass``,
-    ``sampling_period``, ``delay`` or ``delay_samples`` of the scene, ``K`` and ``B`` of a wall, or
-    ``frequency_hz``.  The scene provides the other values; results are in N/m, Ns/m, s and Hz.
-    ``mass``, ``damping`` and ``stiffness`` are those of the device: stability adds the scene's arm,
-    (2), and passivity counts the device alone, (3).
+    Raises
+    ------
+    ValueError
+        Before the sweep begins, if it is impossible, or if a store at ``to`` was made by another
+        call, by changed code, or is being written by a second process.
+    ModuleNotFoundError
+        Without the extra ``symhaptic[sweep]``.
 
-    ``reduce`` names one or several reductions of the dimensions ``over``: ``min``, ``max`` or
-    ``mean`` of numbers, ``all``, ``any``, ``mean`` or ``count`` of truth values.  NaN is included.
-
-    The work is cut into blocks of some four million points along the dimensions that are not
-    reduced; ``chunks`` sets the number of points, or the lengths by dimension.  ``on`` computes the
-    blocks: ``"threads"`` (the kernels release the lock), ``"processes"``, a client of
-    dask.distributed, or any executor of ``concurrent.futures``.  ``workers`` is the number of
-    threads or processes.  The result is the same bit for bit on all of them.
-
-    ``to`` stores the result block by block: a name or the address of a store that ends in
-    ``.zarr``, or a name that ends in ``.parquet``.  Make the same call again to resume an
-    interrupted sweep.  Another call, changed code of symhaptic or of the function, and a second
-    writer are refused.  ``lazy`` returns Dask arrays and computes nothing yet; this is the default
-    for a result that is larger than half of the memory and is not stored.
-
-    Raises :class:`ValueError`, before it begins, if the sweep is impossible, and
-    :class:`ModuleNotFoundError` without the extra ``symhaptic[sweep]``.
-
+    Examples
+    --------
     >>> import numpy as np
     >>> found = sweep("max_stable_stiffness", gamma=0.0, delta=[0.0, 0.02], delay=np.arange(3))
     >>> found.alpha.dims, found.alpha.attrs["units"]
@@ -78,6 +98,8 @@ def sweep(
     array([0.7132, 0.1548, 0.0691])
     """
     needed("symhaptic.sweep", "dask", "xarray", extra="sweep")
+    if getattr(quantity, "__name__", quantity) == "passivity_boundary":
+        axes = with_new_names(axes, {"omega": "theta"})
     plan = plan_of(quantity, scene, over, reduce, chunks, axes)
     total = int(np.prod(plan.grid))
     if to is not None:

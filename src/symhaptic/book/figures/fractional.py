@@ -41,7 +41,7 @@ def passive_outline(delay: float, sheet: str = "exact") -> tuple[Any, Any]:
 
 
 def passive_regions(axes: Axes) -> None:
-    """Passive walls for two fractional delays, exactly and by the paper, and one period late."""
+    """Passive walls for two fractional delays: exact, by the paper, for the next integer delay."""
     for delay, colour in PASSIVE_DELAYS:
         exact, printed = passive_outline(delay), passive_outline(delay, "principal")
         axes.fill(*exact, color=colour, alpha=0.12, linewidth=0)
@@ -76,7 +76,7 @@ def largest_stiffness(axes: Axes) -> None:
 
 
 def stable_readings(axes: Axes) -> None:
-    """Stable walls half a period late: exact, on the principal sheet, and on both sheets."""
+    """Stable walls with half a period of delay: exact, on the principal sheet, on both sheets."""
     import shapely
 
     from symhaptic.numeric.tracing.region import stable_region

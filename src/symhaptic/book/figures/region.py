@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import io
+from typing import Any
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from symhaptic.book.figures.passivity import COLOURS, STYLE, WIDTH
+from symhaptic.book.figures.passivity import COLOURS
+from symhaptic.numeric.column import STYLE, column_figure, legend_below
 from symhaptic.numeric.tracing.region import Region
 
 
@@ -33,17 +35,27 @@ def heading(region: Region) -> str:
     return rf"stable for $\gamma={gamma}$, $\delta={delta}$, $d={delay}$"
 
 
+_METADATA: dict[str, Any] = {
+    "pdf": {"CreationDate": None},
+    "svg": {"Date": None},
+    "png": {"Software": None},
+}
+"""Without dates, so that a picture has the same bytes in every run."""
+
+
 def picture(region: Region, format: str) -> bytes:
-    """The region in the (alpha, beta) plane as a PNG or SVG file."""
+    """The region in the (alpha, beta) plane as a PNG, SVG or PDF file, for a column of 3.5 in."""
     with matplotlib.rc_context(STYLE):
-        figure, axes = plt.subplots(figsize=(WIDTH, 0.7 * WIDTH), layout="constrained")
-        region.plot(axes, color=COLOURS[0], fill="#E4EFE9")
+        figure = plt.figure(FigureClass=column_figure())
+        axes = figure.subplots()
+        region.plot(axes, color=COLOURS[0], fill="#E4EFE9", label=heading(region))
+        alpha, beta, _ = region.max_stiffness
+        most = rf"maximum stiffness: $\alpha={number(float(f'{alpha:.4g}'))}$"
+        most += rf", $\beta={number(float(f'{beta:.4g}'))}$"
+        axes.plot(alpha, beta, "o", color="black", markersize=3, label=most)
         axes.axhline(0, color="black", linewidth=0.4)
-        axes.set_xlabel(r"virtual stiffness $\alpha=KT^2/m$")
-        axes.set_ylabel(r"virtual damping $\beta=BT/m$")
-        axes.set_title(heading(region))
+        legend_below(axes)
         file = io.BytesIO()
-        metadata = {"Date": None} if format == "svg" else {"Software": None}
-        figure.savefig(file, format=format, dpi=200, metadata=metadata)
+        figure.savefig(file, format=format, metadata=_METADATA[format])
         plt.close(figure)
     return file.getvalue()

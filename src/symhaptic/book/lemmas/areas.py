@@ -1,4 +1,4 @@
-"""Polygons inside and around the stable regions of one arm, for whole delays."""
+"""Polygons inside and around the stable regions of one arm, for integer delays."""
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.figure9 import right_of_the_line

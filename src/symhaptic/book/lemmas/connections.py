@@ -64,7 +64,7 @@ def negative(point: Mapping[Expr, Expr]) -> Theorem:
 
 @cache
 def passive_wall_is_stable() -> Theorem:
-    """A passive wall keeps a damped device stable, behind any delay, if a spring or it holds it."""
+    """A passive wall keeps a damped device stable, with any delay, if a spring or it holds it."""
     turns = closed(with_rest(d, S.One, l), one())
     behind = {alpha: alpha, beta: beta, gamma: gamma, delta: delta, l: l, epsilon: d - l}
     given = [

@@ -1,4 +1,4 @@
-"""A whole delay is one of the first few, or longer."""
+"""An integer delay is one of the first few, or longer."""
 
 from symhaptic.book.lemmas.marginal import behind
 from symhaptic.book.lemmas.prelude import *
@@ -24,6 +24,6 @@ def counted(longest: int) -> Theorem:
 def each_delay(
     claim: Proposition, longest: int, build: Callable[[int], Theorem], late: Theorem
 ) -> Theorem:
-    """A claim for every whole delay: of each of the first ones, and of all that are longer."""
+    """A claim for every integer delay: of each of the first ones, and of all that are longer."""
     shown = [behind(n, claim, build(n)) for n in range(longest)]
     return disj_cases(counted(longest), *shown, late)

@@ -1,4 +1,5 @@
-"""Walls that no boundary parts from a stable wall are stable, for every plant and whole delay."""
+"""Walls that no boundary separates from a stable wall are stable, for every plant and integer
+delay."""
 
 from symhaptic.book.lemmas.passive_is_stable import LOOP, NUMBERS
 from symhaptic.book.lemmas.prelude import *

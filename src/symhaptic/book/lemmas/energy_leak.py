@@ -12,7 +12,7 @@ HERE = Given(T > 0, b > 0, d >= 0, K >= 0, whole(d))
 
 @cache
 def behind_a_delay(rule: Any) -> Theorem:
-    """passive <=> the rule, for B = 0 and whole delays."""
+    """passive <=> the rule, for B = 0 and integer delays."""
     rule, still = proposition(rule), {B: S.Zero}
     room = show(b + B - K * T * (d + HALF) >= 0, assume(b - K * T * (d + HALF) >= 0), Eq(B, 0))
     enough = inst(passive_below(room), still)
@@ -38,7 +38,7 @@ def without_delay(rule: Any) -> Theorem:
 
 
 def differs(rule: Any, point: Mapping[Any, Any]) -> Theorem:
-    """That a rule and passivity differ at a wall in numbers, behind a whole delay."""
+    """That a rule and passivity differ at a wall in numbers, with an integer delay."""
     exact = inst(behind_a_delay(b >= K * T / 2 + K * d * T), point)
     exact = closed(exact, *map(fact, exact.hypotheses))
     bound, passive = exact.conclusion.of  # type: ignore[attr-defined]

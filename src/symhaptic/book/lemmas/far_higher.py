@@ -22,7 +22,7 @@ from symhaptic.paper.propositions.ratio import BEST, RATE, WALL, outdoes, passiv
 
 @cache
 def at_least() -> Theorem:
-    """Behind every whole delay some stable wall is as stiff as all passive ones: that of (11)."""
+    """With every integer delay some stable wall is as stiff as all passive ones: that of (11)."""
     some = taken_apart(stiffer_than_passive())[2]
     stable, tip = passive_tip()
     found = at_unit().closed(beside(some, stable, tip, lambda wanted: softer_than_the_tip()))

@@ -65,7 +65,7 @@ def _at(point: dict[Any, Expr], claim: Any) -> Theorem:
 
 
 SOON = {gamma: S.Zero, delta: S.Zero, d: S.One, FASTER: S(100)}
-"""A free mass one period late, and sampled a hundred times as fast."""
+"""A free mass with one period of delay, and sampled a hundred times as fast."""
 
 
 def much(then: Any) -> Theorem:

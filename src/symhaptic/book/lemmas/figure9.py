@@ -1,4 +1,5 @@
-"""Fig. 9: what bounds the stable walls one and two periods late, at the four limits of (23)."""
+"""Fig. 9: what bounds the stable walls one and with two periods of delay, at the four limits of
+(23)."""
 
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
@@ -42,7 +43,7 @@ def each_value(
 
 @cache
 def right_of_the_line() -> Theorem:
-    """-gamma < alpha of a stable wall, for every arm of (23) and a whole delay."""
+    """-gamma < alpha of a stable wall, for every arm of (23) and an integer delay."""
     pushed = on_box(n_1 + n_0, RANGES)
     static = of_device("device at rest", assume(DEVICE))
     readings = loop_of_device(NUMBERS, LOOP)

@@ -1,4 +1,5 @@
-"""Half a period late, a free mass: what keeps a stable wall from a zero on the half circle.
+"""With a delay of half a period, a free mass: what keeps a stable wall from a zero on the half
+circle.
 
 The loop has the polynomial F = z^(l+2) (z-1)^2 + M W, and f = F(v^2) - q (v-1)^4 W(v^2)/8 is at
 v = exp(j psi) that of a wall which is weaker by MU : KAPPA.  Where f is zero, F with its zeros

@@ -1,4 +1,4 @@
-"""Passive walls half a period late: a quadratic in cos(theta/2)^2."""
+"""Passive walls with a delay of half a period: a quadratic in cos(theta/2)^2."""
 
 from sympy import atan
 
@@ -13,12 +13,12 @@ QUADRATIC = (
     - K**2 * T**2 / 16
     - B * (K * T + B) * (1 - x) / 4
 )
-"""The margin half a period late, x = cos(theta/2)^2."""
+"""The margin with a delay of half a period, x = cos(theta/2)^2."""
 AT_ANGLE = QUADRATIC.subs(x, cos(theta / 2) ** 2)
 
 
 def wall(stiffness: Expr = K, damping: Expr = B, late: Expr = HALF) -> Predicate:
-    """A wall is passive, half a period late if nothing else is said."""
+    """A wall is passive, with a delay of half a period if nothing else is said."""
     return Predicate("passive_wall", (), (stiffness, damping, b, T, late))
 
 
@@ -60,12 +60,12 @@ STIFFEST = 2 * tan(pi / 6), sqrt(3) / 9
 LOW = Rational(1, 10)
 """tan(theta/2) at which the wall of (11) does."""
 TIP = Rational(5283, 10000)
-"""tan(theta/2) at which a stiffer wall gives energy away."""
+"""tan(theta/2) at which a stiffer wall delivers energy."""
 
 
 def stiffest() -> Proposition:
-    """A wall with K T/b = 1.175869 is passive, none is with 1.175870 or more, nor is that of (11),
-    and both numbers are 1.8 per cent above (11), to a tenth of a per cent."""
+    r"""A wall with K T/b = 1.175869 is passive, none is with 1.175870 or more, nor is that of (11),
+    and both numbers are 1.8\,\% above (11), to a tenth of a per cent."""
     most = ForAll((K, B), implied([wall()], ABOVE * b > K * T))
     eleven = Not((wall(STIFFEST[0] * b / T, STIFFEST[1] * b),))
     less, more = (STIFFEST[0] * Rational(f"1.01{n}5") for n in (7, 8))
@@ -92,7 +92,7 @@ def stiffest_half_late() -> Theorem:
 
 @cache
 def passive_with(stiffness: Rational, damping: Rational) -> Theorem:
-    """A wall of so many b/T and b is passive half a period late, for T > 0 and b > 0."""
+    """A wall of so many b/T and b is passive with a delay of half a period, for T > 0 and b > 0."""
     apart = positive(Ne(T, 0), T > 0)
     units = {K: stiffness * b / T, B: damping * b}
     found = inst(passive_half_late(), units)
@@ -156,7 +156,8 @@ DAMPER = Rational(6, 5)
 
 
 def a_delay_helps() -> Proposition:
-    """It is passive half a period late, and neither without delay nor one period late."""
+    """It is passive with a delay of half a period, and neither without delay nor with one period
+    of delay."""
     damping = DAMPER * b
     others = [Not((wall(S.Zero, damping, S(n)),)) for n in (0, 1)]
     return every([b, T], [T > 0, b > 0], both([wall(S.Zero, damping), *others]))
@@ -172,7 +173,7 @@ def delay_helps() -> Theorem:
 
 
 def _whole_denied(late: Expr, angle: Expr) -> Theorem:
-    """The damped wall is not passive behind a whole delay, by its margin at one angle."""
+    """The damped wall is not passive with an integer delay, by its margin at one angle."""
     claim = wall(S.Zero, DAMPER * b, late)
     found = mp(passive_by_angle(late), assume(wall(late=late)))
     inside = [fact(Relation(S.Zero, "<", angle)), fact(Relation(angle, "<", pi))]

@@ -16,7 +16,7 @@ ALL_NUMBERS = (*LATE_NUMBERS, *NUMBERS)
 
 
 def whole_polynomial(delay: Expr) -> Expr:
-    """z^(d+1) A + N W of a whole delay."""
+    """z^(d+1) A + N W of an integer delay."""
     return z ** (delay + 1) * BOTTOM + (n_1 * z + n_0) * WALL
 
 

@@ -1,4 +1,4 @@
-"""A wall that is passive behind any delay keeps every damped device stable there."""
+"""A wall that is passive with any delay keeps every damped device stable there."""
 
 from symhaptic.book.lemmas.late_boundary import A, M
 from symhaptic.book.lemmas.late_device import TOP
@@ -28,7 +28,7 @@ GIVEN = (
 
 
 def late_passive_walls_are_stable() -> Proposition:
-    """Passive walls are stable, with every damped device and behind every delay."""
+    """Passive walls are stable, with every damped device and with every delay."""
     return every(LOOP, [*GIVEN, PASSIVE], STABLE)
 
 
@@ -92,7 +92,7 @@ def _eased(force: Expr) -> Theorem:
 
 @cache
 def late_passive_is_stable() -> Theorem:
-    """Passive walls are stable, with every damped device and behind every delay."""
+    """Passive walls are stable, with every damped device and with every delay."""
     whole_one = _behind_a_whole_delay()
     apart = strictly(assume(epsilon >= 0), combined(Ne(0, epsilon), [assume(Ne(epsilon, 0))]))
     found = disj_cases(decided(epsilon, S.Zero), whole_one, closed(_between(), apart))

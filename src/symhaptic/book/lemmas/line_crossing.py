@@ -1,8 +1,8 @@
 """The walls on the line of (25) that are stable are those below one of them, for d = 0 and d = 1.
 
-Each of Jury's inequalities is a polynomial f(alpha) on the line.  At its start, alpha = -gamma, it
-is not negative: there the gap s_1 - delta - gamma/2 of the arm's numbers decides.  Where f is bent
-downwards it is then positive between the start and each wall at which it is positive.
+Each of Jury's inequalities is a polynomial f(alpha) on the line. At its start, alpha = -gamma, it
+is not negative: there the gap s_1 - delta - gamma/2 of the arm's numbers decides. Where f is
+concave it is then positive between the start and each wall at which it is positive.
 """
 
 from sympy import div
@@ -29,7 +29,7 @@ ROOM = 1 - e + gamma * n_0 - (delta + gamma / 2) * TOTAL
 
 @cache
 def below_the_top(delay: int) -> Theorem:
-    """alpha < 0.72, or 0.16 one period late, of a stable wall."""
+    """alpha < 0.72, or 0.16 with one period of delay, of a stable wall."""
     return no_stiffer(delay, (TOP[delay], NEAR[delay]), RANGES)
 
 

@@ -1,7 +1,7 @@
 """Each ray from the start of the line meets the boundary once, for d = 0 and d = 1.
 
 Walls are counted from the start of the line, A = alpha + gamma and b = beta + delta + (d + 1/2)
-gamma.  On a ray Jury's largest minor is not negative at the start and bent downwards.
+gamma. On a ray Jury's largest minor is not negative at the start and concave.
 """
 
 from symhaptic.book.lemmas.line_crossing import AT_REST, ROOM, divided, room

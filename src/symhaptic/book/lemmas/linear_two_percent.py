@@ -1,7 +1,7 @@
 """From which damping on the error exceeds 2 per cent for a wall that pushes, with beta < 0.
 
-On the ray of this error Jury's minor is bent downwards: where it is negative at alpha = 0, so it is
-for all stiffer walls.
+On the ray of this error Jury's minor is concave: where it is negative at alpha = 0, so it is for
+all stiffer walls.
 """
 
 from symhaptic.book.lemmas.chords import not_zero

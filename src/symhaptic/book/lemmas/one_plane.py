@@ -38,7 +38,7 @@ def _same(theorem: Theorem) -> list[Theorem]:
 
 @cache
 def stable_curve() -> Theorem:
-    """What is said of the curve of stable walls, for a whole delay and every plant."""
+    """What is said of the curve of stable walls, for an integer delay and every plant."""
     exact, never = solid().of  # type: ignore[attr-defined]
     on_it = as_claimed(exact, zero_on_circle_is_explicit())
     readings = loop_of_device(NUMBERS, LOOP)
@@ -51,7 +51,7 @@ def stable_curve() -> Theorem:
 
 @cache
 def right_of_the_line() -> Theorem:
-    """-gamma < alpha of a stable wall beside a damped device, behind a whole delay."""
+    """-gamma < alpha of a stable wall beside a damped device, with an integer delay."""
     static, pushed = at_rest()
     readings = loop_of_device(NUMBERS, LOOP)
     loop = conjunct(readings, readings.conclusion.parts[1])

@@ -1,4 +1,4 @@
-"""No stable wall is stiffer than this: by one point of the circle, for any whole delay.
+"""No stable wall is stiffer than this: by one point of the circle, for any integer delay.
 
 Of p with its zeros inside, n |p|^2 < 2 Re conj(p) z p' on the circle (``outpaces``).  Both sides
 are quadratic in the wall, and the left one wins for every damping once the stiffness is large.  At
@@ -23,7 +23,7 @@ POWERS = {
     S.One: n_0 * (alpha + beta) - n_1 * beta,
     S.Zero: -n_0 * beta,
 }
-"""The characteristic polynomial of whole delays by its powers."""
+"""The characteristic polynomial of integer delays by its powers."""
 
 ROOM = sp.Add(
     *(

@@ -1,4 +1,4 @@
-"""A wall that the plant outweighs all around the circle is stable behind every whole delay."""
+"""A wall that the plant outweighs all around the circle is stable with every integer delay."""
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.outpaced import at_point
@@ -8,7 +8,7 @@ from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant
 from symhaptic.paper.propositions.ratio import ARM
 
 LATE = Rational(59, 10**5)
-"""The stiffness of a wall without virtual damping that is stable behind every delay, for the arm of
+"""The stiffness of a wall without virtual damping that is stable with every delay, for the arm of
 Figs. 11 and 12 with the spring."""
 
 TURN = exp(I * theta)

@@ -1,4 +1,4 @@
-"""Walls of (7) are on the boundary of the passive ones, behind whole delays."""
+"""Walls of (7) are on the boundary of the passive ones, with integer delays."""
 
 from symhaptic.book.lemmas.corners import on_envelope, single, wide
 from symhaptic.book.lemmas.extent import weak_sine

@@ -1,4 +1,5 @@
-"""The stiffest passive wall, (11), is stable with every spring, behind every whole delay."""
+"""The passive wall of maximum stiffness, (11), is stable with every spring, with every integer
+delay."""
 
 from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
 from symhaptic.book.lemmas.passivity import passive_by_angle

@@ -1,4 +1,4 @@
-"""When is a wall behind a whole delay passive?  The condition at each angle, as an equivalence."""
+"""When is a wall with an integer delay passive? The condition at each angle, as an equivalence."""
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import margin

@@ -1,4 +1,4 @@
-"""All walls of a convex polygon are stable, for one arm and one whole delay.
+"""All walls of a convex polygon are stable, for one arm and one integer delay.
 
 One wall of it is stable, and none has a zero on the circle: each zero at exp(j theta) lies beyond
 one of the sides, for all angles of an interval, or the device outweighs all walls there.  On the

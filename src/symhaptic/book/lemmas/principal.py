@@ -1,4 +1,5 @@
-"""Half a period late: walls of which the principal sheet says something else than the true loop."""
+"""With a delay of half a period: walls of which the principal sheet says something else than the
+true loop."""
 
 from symhaptic.book.lemmas.late_loop import ALL_NUMBERS
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
@@ -12,14 +13,14 @@ READ = Predicate("stable_principal", (), (*LOOP, HALF))
 SPRING = {gamma: 4 * pi**2 / 9, delta: S.Zero}
 """A spring that swings at two thirds of the Nyquist frequency."""
 LARGE = {alpha: -3 * SPRING[gamma] / 4, beta: -SPRING[gamma] / 2}
-"""A wall that is stable on the principal sheet, and not in truth."""
+"""A wall that is stable on the principal sheet, and unstable."""
 SMALL = {alpha: 3 * SPRING[gamma] / 8, beta: -5 * SPRING[gamma] / 8}
 """One that is stable in truth, and not there."""
 
 
 FREE = {gamma: S.Zero, delta: S.Zero}
 BETWEEN = {alpha: Rational(1, 15), beta: Rational(16, 15)}
-"""A wall that is stable for a free mass on the principal sheet, and not in truth."""
+"""A wall that is stable for a free mass on the principal sheet, and unstable."""
 
 
 def some_wall(device: Terms, *claims: Proposition) -> Proposition:
@@ -64,7 +65,8 @@ def in_truth(device: Terms, wall: Terms, stable: bool) -> Theorem:
 
 
 def true_loop(device: Terms, wall: Terms, periods: Expr) -> Theorem:
-    """A wall is stable half a period late, and more, if the zeros of its polynomial lie inside."""
+    """A wall is stable with a delay of half a period, and more, if the zeros of its polynomial
+    lie inside."""
     values = [{**device, **wall}[s] for s in LOOP]
     loop = axiom("loop of a late device", *values, periods, HALF, *LATE_NUMBERS, a, e)
     numbers = (_device(), _late()) if device is SPRING else (_free(), _late_free())

@@ -1,4 +1,5 @@
-"""How near the largest passive stiffness comes to the largest stable one, behind every whole delay.
+"""How near the largest passive stiffness comes to the largest stable one, with every integer
+delay.
 
 For the arm of Figs. 11 and 12.  Each delay has a stable wall next to the tip of its region; all
 long ones have the wall (0.00059, 0).
@@ -81,7 +82,7 @@ def late(claim: Any) -> Theorem:
 
 @cache
 def elsewhere() -> Theorem:
-    """eta < SHARE behind every whole delay but PEAK."""
+    """eta < SHARE with every integer delay but PEAK."""
     other, claim = proposition(Ne(d, PEAK)), below(SHARE)
 
     def build(delay: int) -> Theorem:
@@ -119,7 +120,7 @@ def by_limit() -> Theorem:
 
 
 def at_peak(delay: int, share: Expr, arm: Arm) -> Theorem:
-    """eta(d) > share, of the stiffest passive wall and a bound next to the tip."""
+    """eta(d) > share, of the passive wall of maximum stiffness and a bound next to the tip."""
     limit, bounded = none_above(arm, delay)
     here = {d: S(delay), RATE: share, LIMIT: limit, gamma: arm[0]}
     found = inst(by_limit(), here)
@@ -133,7 +134,7 @@ def at_peak(delay: int, share: Expr, arm: Arm) -> Theorem:
 
 @cache
 def passive_wall(delay: int, damper: Expr = DAMPED) -> tuple[Theorem, tuple[Expr, Expr]]:
-    """The stiffest passive wall, of the figures or beside another damper."""
+    """The passive wall of maximum stiffness, of the figures or beside another damper."""
     found, _, wall = passive_walls(delay, ELEVEN)
     found = inst(found, {delta: damper})
     values: Any = tuple(v.subs(delta, damper) for v in wall)
@@ -166,7 +167,7 @@ def near_one() -> Theorem:
 
 
 def never_met(some: Any) -> Theorem:
-    """Behind no whole delay D is a passive wall as stiff as all stable ones."""
+    """Behind no integer delay D is a passive wall as stiff as all stable ones."""
     late, same, _ = (assume(p) for p in some.body.of)
     other = symbols("x_1 y_1")
     met: Any = same.conclusion

@@ -1,4 +1,4 @@
-"""Which walls behind a whole delay are passive: sufficient on the first half turn, and needed.
+"""Which walls with an integer delay are passive: sufficient on the first half turn, and needed.
 
 A wall is measured by u = KT/2 and w = B + KT/2, its delay by N = 2(d+1).
 """

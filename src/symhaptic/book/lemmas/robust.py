@@ -1,8 +1,8 @@
 """How stiff a wall can be that is stable with every spring up to the Nyquist frequency.
 
-From below by a wall that meets Jury's inequalities with each of these springs, or by the stiffest
-passive wall.  From above by one spring that excludes all stiffer walls; without delay by two, none
-and that of the Nyquist frequency.
+From below by a wall that meets Jury's inequalities with each of these springs, or by the passive
+wall of maximum stiffness. From above by one spring that excludes all stiffer walls; without delay
+by two, none and that of the Nyquist frequency.
 """
 
 from itertools import pairwise
@@ -68,7 +68,7 @@ def is_robust(delay: int) -> Theorem:
 
 @cache
 def tip_is_robust() -> tuple[Theorem, Wall]:
-    """The stiffest passive wall is robustly stable; 0 < delta, d whole.  And it."""
+    """The passive wall of maximum stiffness is robustly stable; 0 < delta, d whole. And it."""
     stable, tip = passive_tip()
     claim: Any = robust(d, tip)
     given = conjuncts(claim.body.of[0])
@@ -146,7 +146,7 @@ def _undelayed(damper: Rational, held: Theorem) -> tuple[Expr, Theorem]:
 
 
 Loop = tuple[int, Rational]
-"""A whole delay and a damper."""
+"""An integer delay and a damper."""
 
 
 def outdone(kind: Proposition, held: Theorem, here: Loop, other: Loop, share: Expr) -> Theorem:

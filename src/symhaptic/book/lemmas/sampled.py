@@ -50,7 +50,7 @@ def poles_apart() -> tuple[Theorem, ...]:
 
 @cache
 def answer(late: bool = False) -> Theorem:
-    """The answer X (or X_d, behind whole delays): z, A != 0 and 2 c_1 gamma (m X/T^2) A = N z^-d.
+    """The answer X (or X_d, with integer delays): z, A != 0 and 2 c_1 gamma (m X/T^2) A = N z^-d.
 
     Of a device with m, T > 0, c_1 != 0 and gamma != 0.
     """
@@ -78,7 +78,7 @@ def positive_square() -> Theorem:
 
 @cache
 def late_answer() -> Theorem:
-    """X_d = z^-d X behind whole delays, for every device."""
+    """X_d = z^-d X with integer delays, for every device."""
     later = mp(shifted(DEVICE, 0, z, X, T, d), assume(PROMPT))
     return one_answer(assume(LATE), later)
 

@@ -30,7 +30,7 @@ def unstable_at(point: Mapping[Symbol, Expr]) -> Theorem:
 
 @cache
 def by_inequalities(delay: int) -> Theorem:
-    """stable <=> Jury's inequalities, in the four numbers of the device, for a whole delay."""
+    """stable <=> Jury's inequalities, in the four numbers of the device, for an integer delay."""
     late = sp.Integer(delay)
     readings = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late))
     loop = conjunct(readings, readings.conclusion.parts[1])
@@ -40,7 +40,7 @@ def by_inequalities(delay: int) -> Theorem:
 
 @cache
 def free_by_inequalities(delay: int) -> Theorem:
-    """stable <=> Jury's inequalities, of a free mass with a whole delay."""
+    """stable <=> Jury's inequalities, of a free mass with an integer delay."""
     late = sp.Integer(delay)
     loop = loop_substituted(
         (alpha, beta, sp.S.Zero, sp.S.Zero, late), z, 1, stiffness=False, damping=False

@@ -1,4 +1,4 @@
-"""The sampled device in entire functions, without a delay and behind a fraction of a period."""
+"""The sampled device in entire functions, without a delay and with a fractional delay."""
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Block, Later, Named, not_zero
@@ -10,7 +10,7 @@ from symhaptic.forms.response import closed
 from symhaptic.model import loop
 
 DELAY = 2
-"""Forms that are made for one whole delay are shown for this one."""
+"""Forms that are made for one integer delay are shown for this one."""
 SPRING = (delta**2 - c**2) / 4
 """gamma, of the difference c of the poles."""
 h, h_1, h_2, v, v_1, p_2 = symbols("h h_1 h_2 v v_1 p_2")

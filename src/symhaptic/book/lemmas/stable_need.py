@@ -34,7 +34,7 @@ def kernel(order: Expr, angle: Expr) -> Expr:
 
 
 def straight(delay: Expr) -> Expr:
-    """What straight motions need at a whole delay."""
+    """What straight motions need at an integer delay."""
     return alpha * kernel(delay, 2 * psi) - beta * cos(2 * (delay + 1) * psi)
 
 
@@ -85,7 +85,7 @@ def half_angle() -> list[Theorem]:
 
 
 def _at_an_angle() -> Block:
-    """What is left at an angle, for whole delays and for those with a fraction."""
+    """What is left at an angle, for integer delays and for those with a fraction."""
     computed = (written_out(ours) for ours, _ in stable.form("passivity_margin_at").equal)
     whole, later = (
         alpha * kernel(delay, theta) - beta * cos((delay + 1) * theta) for delay in (l, l + 1)

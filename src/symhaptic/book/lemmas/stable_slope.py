@@ -1,4 +1,5 @@
-"""The slope of the stiffness on the boundary, which vanishes at the stiffest stable wall."""
+"""The slope of the stiffness on the boundary, which vanishes at the stable wall of maximum
+stiffness."""
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_boundary import (
@@ -45,7 +46,7 @@ def _values(late: bool) -> Named:
 
 
 def _searched() -> Block:
-    """The slope whose zero is searched for, behind any delay."""
+    """The slope whose zero is searched for, with any delay."""
     names, exact = derived(LATE, l, 1)
     grown, half, across = 1 + t**2, (2 * l + 3) * (theta / 2), m_2 - m_0
     turns = (l + Rational(3, 2)) * (U * W) + grown * (

@@ -43,12 +43,12 @@ def _envelope() -> Block:
 
 
 WORST = pi * (1 / (d + 1)) / 2
-"""The worst angle of the stiffest passive wall."""
+"""The worst angle of the passive wall of maximum stiffness."""
 STIFFEST_LINE = tuple((name, of.subs(theta, WORST)) for name, of in LINE)
 
 
 def _stiffest() -> Block:
-    """The passive wall of largest stiffness behind whole delays: there cos((d + 1) theta) = 0."""
+    """The passive wall of largest stiffness with integer delays: there cos((d + 1) theta) = 0."""
     entire = {Sinc(WORST): S_0}
     computed = (ours for ours, _ in stable.form("max_passive_stiffness").equal[:2])
     exact = delta / x, -delta * y / ((d + 1) * x)

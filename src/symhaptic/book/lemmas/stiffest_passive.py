@@ -1,4 +1,4 @@
-"""The stiffest passive wall behind a whole delay: the tip of the envelope."""
+"""The passive wall of maximum stiffness with an integer delay: the tip of the envelope."""
 
 from symhaptic.book.lemmas.corners import stiffest
 from symhaptic.book.lemmas.passivity import PASSIVE

@@ -1,4 +1,5 @@
-"""How stiff a stable wall can be without delay and one period late, for all plants of a box.
+"""How stiff a stable wall can be without delay and with one period of delay, for all plants of a
+box.
 
 By Jury's inequalities: a wall that is given by the plant's gamma and delta is stable if they hold
 on the box.  The last of them, of the largest minor, falls with the stiffness: where it fails at

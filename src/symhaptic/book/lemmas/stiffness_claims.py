@@ -18,7 +18,7 @@ LATE: Wall = (
     Rational("0.142") + Rational("0.614") * delta,
     Rational("0.4239") - Rational("0.093") * delta,
 )
-"""The same one period late."""
+"""The same with one period of delay."""
 
 HERE: Ranges = {s: (v, v) for s, v in ARM.items()}
 """The plant of the figures alone."""

@@ -1,7 +1,7 @@
 """How the ratio of passive to stable stiffness changes with the damper, for one spring.
 
-Without delay and one period late two linear functions of the damping enclose the largest stable
-stiffness on all of (23), near enough for dampings that are two percent apart.
+Without delay and with one period of delay two linear functions of the damping enclose the largest
+stable stiffness on all of (23), near enough for dampings that are two percent apart.
 """
 
 import itertools
@@ -89,7 +89,7 @@ def _positive(line: Expr, symbol: Symbol, above: Theorem) -> Theorem:
 
 
 def passive_at(passive: Theorem, values: Any) -> Theorem:
-    """The stiffest passive wall beside another damper."""
+    """The passive wall of maximum stiffness beside another damper."""
     found = inst(passive, values)
     return numbers_known(found)
 
@@ -164,7 +164,7 @@ def not_short() -> Theorem:
 # -- longer delays, in numbers ---------------------------------------------------------------------
 
 DELAYS, DAMPERS = (2, 4, 8), tuple(Rational(n, 200) for n in (1, 2, 3, 4))
-"""The other whole delays of Fig. 11, and dampers up to 0.02."""
+"""The other integer delays of Fig. 11, and dampers up to 0.02."""
 
 
 def steps() -> Proposition:

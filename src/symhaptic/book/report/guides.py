@@ -9,9 +9,9 @@ from pathlib import Path
 from symhaptic.book.chapters import beside
 
 ORDER = (
-    *("tutorial", "limits", "loops", "simulation", "devices", "sweep", "howto"),
-    *("verify", "check", "export"),
-    *("reports", "security", "verdicts", "found", "statements", "speed", "design", "language"),
+    *("model", "found", "tutorial", "limits", "loops", "simulation", "devices", "sweep", "howto"),
+    *("verify", "chapters", "check", "export"),
+    *("reports", "security", "verdicts", "statements", "speed", "design", "language"),
 )
 """Of the guides, as they are read."""
 

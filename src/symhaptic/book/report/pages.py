@@ -93,7 +93,7 @@ def results(entries: Sequence[Entry], places: Places) -> nodes.section:
     """The formulas to use, each with its condition, and what is wrong in short."""
     found = {entry.statement.id: entry for entry in entries if entry.derivation is not None}
     blocks: list[Node] = [
-        paragraph("As printed, or as corrected, each with the condition under which it is right.")
+        paragraph("As published or as corrected, each with the condition under which it is right.")
     ]
     for question, ids in USE:
         answers = [_use(found[id], places) for id in ids if id in found]
@@ -299,7 +299,7 @@ def believed(entries: Iterable[Entry]) -> nodes.section:
     blocks: list[Node] = [
         paragraph(
             "Only rules make theorems. A verdict is right if these rules are right and if the "
-            "statements are transcribed as printed. Chapters, captions and prose carry no weight. "
+            "statements are transcribed as published. No verdict depends on prose or captions. "
             "Classical theorems are applied and not proved: each is given with its source and "
             "with the number of statements that rest on it."
         )
@@ -320,7 +320,7 @@ def believed(entries: Iterable[Entry]) -> nodes.section:
     blocks += [section(title, *found) for title, found in lists.items()]
     meant = (paragraph(math(one), " — ", words(says), ".") for one, says in map(defined, MEANINGS))
     blocks.append(section("Predicates, and what they mean", *meant, to="page", at="predicates"))
-    return _page("believed", "Everything that has to be believed", *blocks, code="proof/theorems")
+    return _page("believed", "The trusted base", *blocks, code="proof/theorems")
 
 
 def symbols() -> list[tuple[nodes.math, str, list[Node]]]:

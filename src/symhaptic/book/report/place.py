@@ -64,8 +64,8 @@ def allowed(target: Path) -> None:
         raise ReportError(SITE_NEEDS)
     if target.is_symlink() or (target.exists() and not (target / SITE_MARK).is_file()):
         raise ReportError(
-            f"-o {target.parent}: {target.name} there is not made by `symhaptic report`; a folder "
-            "without it is allowed"
+            f"-o {target.parent}: {target.name} there was not written by `symhaptic report`; give "
+            "another folder"
         )
 
 
@@ -75,8 +75,8 @@ def refuse_foreign(target: Path, names: Iterable[str]) -> None:
         path = target / name
         if path.is_symlink() or (path.exists() and not _own(path)):
             raise ReportError(
-                f"-o {target}: {name} there is not written by `symhaptic report`; a folder "
-                "without it is allowed"
+                f"-o {target}: {name} there was not written by `symhaptic report`; "
+                "give another folder"
             )
 
 

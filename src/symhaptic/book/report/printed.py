@@ -75,8 +75,8 @@ def check(paths: list[Path]) -> None:
     for path in reversed(paths):
         if not re.fullmatch(r"[\w.-]+", path.stem, re.ASCII):
             raise ReportError(
-                f"--derivation {path}: {path.stem!r} is no name for LaTeX; letters, digits, '-', "
-                "'_' and '.' are allowed; rename the file"
+                f"--derivation {path}: {path.stem!r} is no name for LaTeX; rename the file with "
+                "letters, digits, '-', '_' and '.'"
             )
         if names.count(path.stem) > 1 or path.stem in RESERVED:
             raise ReportError(

@@ -1,26 +1,28 @@
-"""Every public name, from its docstring by autodoc, with what its arguments are and its formula."""
+"""Every public name, from its docstring by autodoc, with its formula and a picture."""
 
 from __future__ import annotations
 
 import inspect
 import re
 from collections.abc import Collection
-from typing import Any
+from typing import Any, cast
 
 from docutils import nodes
+from sphinx.config import Config
+from sphinx.ext import napoleon
+from sphinx.ext.napoleon.docstring import NumpyDocstring
 
 import symhaptic
-from symhaptic.book.report import gallery, pages
-from symhaptic.book.report.tree import Part, container, display, led, math, paragraph, table
+from symhaptic.book.report import gallery
+from symhaptic.book.report.tree import container, display, led, paragraph
 from symhaptic.forms.stable import STATEMENTS
-from symhaptic.notation import SYMBOLS
 from symhaptic.paper import STATEMENTS as PRINTED
 
 PUBLIC = tuple(symhaptic.__all__)
 PREFIX = "reference:"
 
 GROUPS = {
-    "A device in SI units": ("Scene",),
+    "A device in SI units": ("Scene", "Arm", "ArmRange"),
     "Parts of a loop": (
         *("LowPass", "Average", "Window", "Filter", "Measured", "Oversampled", "Difference"),
         *("Lag", "SecondMass", "LinearDevice", "Encoder"),
@@ -45,13 +47,11 @@ GROUPS = {
         *("formula", "lambdify", "prove", "enclose", "enclose_maximum", "recheck"),
         *("Formula", "Verdict"),
     ),
-    "What is given back": ("Extremum", "Region"),
+    "Results": ("Extremum", "Region"),
+    "Sweeps, and what computes": ("sweep", "show_config"),
 }
 
 _OTHERS = "More"
-
-_SPELT = {"delay": "d", "omega": "omega_hat"}
-"""Arguments that are not spelt as their symbol."""
 
 SETTINGS = {
     "autodoc_typehints": "none",
@@ -69,15 +69,21 @@ def page(known: Collection[str]) -> str:
     """
     grouped = {name for names in GROUPS.values() for name in names}
     groups = {**GROUPS, _OTHERS: tuple(name for name in PUBLIC if name not in grouped)}
-    out = [".. _reference:", "", *_heading("Every name", "=")]
+    out = [".. _reference:", "", *_heading("Reference", "=")]
     out += [
-        "All are imported from ``symhaptic``. Numbers are dimensionless, in the parameters of "
-        "Table I, where they are Greek: :math:`\\alpha=KT^2/m`, :math:`\\beta=BT/m`, "
-        ":math:`\\gamma=kT^2/m`, :math:`\\delta=bT/m`; a delay is in periods.",
+        "Import all names from ``symhaptic``. :class:`Scene` takes and returns SI units. Functions "
+        "with Greek arguments are dimensionless, in the parameters of Table I: "
+        ":math:`\\alpha=KT^2/m`, :math:`\\beta=BT/m`, :math:`\\gamma=kT^2/m` and "
+        ":math:`\\delta=bT/m`, with a delay in sampling periods. Arguments have the same order in "
+        "all functions: the angle, the wall, the device, the delay.",
         "",
         ".. currentmodule:: symhaptic",
         "",
     ]
+    for title, names in groups.items():
+        rows = [_row(name) for name in names if name in PUBLIC]
+        head = [f".. list-table:: {title}", "   :widths: 34 66", "   :class: names", ""]
+        out += [*head, *(line for row in rows for line in row), ""] if rows else []
     for title, names in groups.items():
         out += _heading(title, "-") if names else []
         for name in names:
@@ -89,6 +95,14 @@ def page(known: Collection[str]) -> str:
 
 def _heading(title: str, mark: str) -> list[str]:
     return [title, mark * len(title), ""]
+
+
+def _row(name: str) -> list[str]:
+    """A name in the table, and the summary of its docstring."""
+    thing = getattr(symhaptic, name)
+    role = "class" if inspect.isclass(thing) else "func"
+    summary = mathematics((inspect.getdoc(thing) or "").split("\n\n")[0].replace("\n", " "))
+    return [f"   * - :{role}:`{name}`", f"     - {summary}"]
 
 
 def _entry(name: str) -> list[str]:
@@ -106,12 +120,12 @@ def trees() -> dict[str, nodes.container]:
 
 
 def beside(name: str) -> nodes.container | None:
-    """What stands below a docstring: arguments, formula and the first picture that it makes."""
+    """What stands below a docstring: the published formula and the first picture that it makes."""
     thing = getattr(symhaptic, name)
-    blocks: list[nodes.Node] = [] if inspect.isclass(thing) else [*_arguments(thing)]
+    blocks: list[nodes.Node] = []
     for id in () if inspect.isclass(thing) else STATEMENTS.get(name, ()):
         number = led("statement", id, f"({id.removeprefix('eq')})")
-        blocks.append(paragraph("In the paper it is ", number, ", as printed:"))
+        blocks.append(paragraph("In the paper it is ", number, ", as published:"))
         blocks.append(display(PRINTED[id].latex))
     for path in gallery.shows(name)[:1]:
         place = led(gallery.NAME, path.stem, "In the gallery")
@@ -119,25 +133,25 @@ def beside(name: str) -> nodes.container | None:
     return container("beside", *blocks) if blocks else None
 
 
-def _arguments(function: Any) -> list[nodes.table]:
-    """Symbol, unit and domain of each argument that is a symbol of the notation."""
-    rows: list[list[Part]] = [["argument", "symbol", "unit", "domain", "meaning"]]
-    for name in inspect.signature(function).parameters:
-        known = SYMBOLS.get(_SPELT.get(name, name))
-        if known is not None and function.__module__.startswith("symhaptic.numeric"):
-            shown = nodes.literal("", name), math(known.latex)
-            meaning = pages.plain(known.meaning)
-            rows.append([*shown, known.unit, known.domain, meaning])
-    return [table("arguments", rows)] if rows[1:] else []
+_NUMPYDOC = cast(Config, napoleon.Config(napoleon_use_param=False, napoleon_use_rtype=False))
+
+
+def sections(text: str) -> str:
+    """A docstring with the sections of numpydoc as reStructuredText.
+
+    >>> print(sections("Returns\\n-------\\nfloat\\n    In N.").strip())
+    :returns: *float* – In N.
+    """
+    return str(NumpyDocstring(text, _NUMPYDOC)).replace(" -- ", " – ")
 
 
 _LETTER = r"(?:alpha|beta|gamma|delta|[A-Za-z])(?:_[A-Za-z])?"
 _TERM = rf"{_LETTER}(?: [A-Za-z](?:\^2)?)?/[A-Za-z](?:_[A-Za-z]|\^2)?"
 _SYMBOL = re.compile(
-    rf"(?<![\w.])(?:{_LETTER} = {_TERM}|[A-Za-z]_[A-Za-z](?:/[A-Za-z](?:_[A-Za-z])?)?)(?![\w/^(*])"
-    r"(?P<room>  +)?"
+    rf"(?<![\w.^/*])(?:{_LETTER} = {_TERM}|[KBkb] T(?:\^2)?/m|omega T|alpha|beta|gamma|delta|theta"
+    r"|[A-Za-z]_[A-Za-z](?:/[A-Za-z](?:_[A-Za-z])?)?)(?![\w/^(*])(?P<room>  +)?"
 )
-"""A letter with another at its foot, and what is equal to a quotient of letters."""
+"""A letter with another at its foot, a Greek letter, and what is equal to a quotient of letters."""
 
 
 def mathematics(text: str) -> str:
@@ -151,18 +165,20 @@ def mathematics(text: str) -> str:
     ':math:`t_d`    s'
     """
     parts = re.split(
-        r"(:\w+:`[^`]*`|``[^`]*``|`[^`]*`|>>> .*?(?:\n\s*\n|$))", text, flags=re.DOTALL
+        r"(:\w+:`[^`]*`|``[^`]*``|`[^`]*`|\*\*[^*]*\*\*|(?:>>>|\.\. math::) .*?(?:\n\s*\n|$))",
+        text,
+        flags=re.DOTALL,
     )
     return "".join(p if at % 2 else _SYMBOL.sub(_as_formula, p) for at, p in enumerate(parts))
 
 
 def _as_formula(found: re.Match[str]) -> str:
     plain = found[0].rstrip()
-    tex = re.sub(r"alpha|beta|gamma|delta", lambda name: rf"\{name[0]}", plain)
+    tex = re.sub(r"alpha|beta|gamma|delta|theta|omega", lambda name: rf"\{name[0]}", plain)
     role = f":math:`{tex}`"
     return role.ljust(len(found[0])) if found["room"] else role
 
 
 def processed(app: Any, what: str, name: str, of: Any, options: Any, lines: list[str]) -> None:
-    """Put formulas into a docstring, for autodoc."""
-    lines[:] = mathematics("\n".join(lines)).split("\n")
+    """Put sections and formulas into a docstring, for autodoc."""
+    lines[:] = mathematics(sections("\n".join(lines))).split("\n")

@@ -51,11 +51,12 @@ EXTRA = "extra"
 OPENING = (
     r"Every formula of \emph{Passivity and Stability Boundaries for Haptic Systems with Time "
     r"Delay} (T. Hulin, A. Albu-Schäffer, G. Hirzinger, 2014), derived from first principles and "
-    "judged as printed: by exact algebra, exact series, sign certificates or balls that contain "
+    "judged as published: by exact algebra, exact series, sign certificates or balls that contain "
     "the value, joined by named theorems. Nothing rests on sampling."
 )
 
 TASKS: tuple[tuple[str, Part], ...] = (
+    ("What is modelled, and which formula is for what?", led("page", "model")),
     (
         "How stiff may my wall be?",
         [led("page", "limits"), ", or ", led("page", "explorer", "turn a loop by hand")],
@@ -67,7 +68,11 @@ TASKS: tuple[tuple[str, Part], ...] = (
     ),
     (
         "What is wrong in the paper?",
-        [led("page", "errata", "Errata"), ", and ", led("page", "ledger", "every statement")],
+        [
+            *(led("page", "found", "The findings by importance"), ", "),
+            *(led("page", "errata", "all errata"), ", and "),
+            led("page", "ledger", "every statement"),
+        ],
     ),
     (
         "Is my own formula right? Is my code?",
@@ -77,8 +82,8 @@ TASKS: tuple[tuple[str, Part], ...] = (
         "A figure, a sweep, a microcontroller, a thesis",
         [led("page", "howto"), " and ", led("page", "gallery")],
     ),
-    ("What does a verdict mean, what is believed?", led("page", "verdicts")),
-    ("Every name", led("page", "reference")),
+    ("What does a verdict mean, and what is the trusted base?", led("page", "verdicts")),
+    ("All functions", led("page", "reference")),
 )
 """What somebody comes for, and where it is."""
 
@@ -247,6 +252,7 @@ def _sphinx(source: Path, made: Path, doctrees: Path) -> None:
         "html_css_files": ["site.css"],
         "html_js_files": ["site.js"],
         "html_copy_source": False,
+        "html_search_scorer": str(STATIC / "scorer.js"),
         "html_use_index": False,
         "html_show_search_summary": False,
         "html_show_sphinx": False,

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from fractions import Fraction
-from itertools import pairwise
 
 import numpy as np
 
@@ -59,12 +57,3 @@ def borne(loops: Loops, K: float, B: float) -> tuple[Fraction, list[check.Certif
         else:
             step /= 2
     return at, shown
-
-
-def confirmed(shown: list[check.Certificate]) -> bool:
-    """Whether ranges of delays that follow each other are shown, all of one wall."""
-    ends = [claim.loops.periods for claim in shown]
-    same = {replace(claim, cuts="", angles=(), loops=claim.loops._replace(periods=ends[0]))
-            for claim in shown}  # fmt: skip
-    joined = all(one[1] == other[0] for one, other in pairwise(ends))
-    return len(same) <= 1 and joined and all(map(check.recheck, shown))

@@ -50,21 +50,52 @@ _TRIED = np.geomspace(1e-16, 10.0, 100) * np.array([[-1.0], [1.0]])
 def max_stable_stiffness(
     gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> Extremum:
-    r"""The rightmost point of the stable region: largest alpha = K T^2/m, with its beta and theta.
+    """Largest stable stiffness, with its virtual damping and the angle of its roots.
 
-    Takes the plant ``gamma`` >= 0, ``delta`` >= 0 and ``delay`` >= 0 periods; arrays broadcast.
-    The limit is a supremum: the wall there has roots on the unit circle, at exp(+-j theta).  If
-    gamma <= 9.8 and either d <= 1 or sqrt(gamma) (d+1) <= pi, it is the first maximum of the
-    explicit boundary (without a maximum, the end of the curve at theta = pi), and the time does not
-    depend on the delay.  That no other piece reaches farther is tested by comparison with whole
+    Parameters
+    ----------
+    gamma, delta : array_like
+        Physical stiffness k T^2/m >= 0 and physical damping b T/m >= 0.
+    delay : array_like
+        Delay in sampling periods, >= 0, integer or fractional.  All arguments broadcast.
+    sheet : {"exact", "principal"}, optional
+        Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
+        paper's z^-d = exp(-j d theta).
+
+    Returns
+    -------
+    Extremum
+        ``alpha`` = K T^2/m, ``beta`` = B T/m and ``theta`` = omega T, of the shape to which the
+        arguments broadcast.  The limit is a supremum: the wall there has roots on the unit circle,
+        at exp(+-j theta).  A loop that no wall makes stable gives NaN, and so does NaN.
+
+    Raises
+    ------
+    ValueError
+        If ``gamma``, ``delta`` or ``delay`` is negative or too large, or if pieces of the boundary
+        of a single loop are missed, see :func:`symhaptic.stable_region`.
+
+    Warns
+    -----
+    RuntimeWarning
+        If pieces of the boundary are missed for loops of an array.  It names the first one; their
+        results are NaN.
+
+    See Also
+    --------
+    limit_at : The largest stable stiffness for a given damping.
+    max_passive_stiffness : The largest passive stiffness.
+
+    Notes
+    -----
+    If gamma <= 9.8 and either d <= 1 or sqrt(gamma) (d+1) <= pi, the result is the first maximum of
+    the explicit boundary (without a maximum, the end of the curve at theta = pi), and the time does
+    not depend on the delay.  That no other piece reaches farther is tested by comparison with whole
     regions, not proved.  Otherwise every piece of the boundary is traced, one element after the
-    other, which takes milliseconds times the delay; the delay is then at most 100 000 periods.  A
-    loop that no wall makes stable gives NaN.
+    other, which takes milliseconds times the delay; the delay is then at most 100 000 periods.
 
-    If pieces of the boundary are missed, see :func:`symhaptic.stable_region`, a single loop
-    raises :class:`ValueError`.  In an array this loop gives NaN, with a :class:`RuntimeWarning`
-    that names it.  Raises :class:`ValueError` for an impossible plant or delay; NaN gives NaN.
-
+    Examples
+    --------
     >>> alpha, beta, theta = max_stable_stiffness(0.0, 0.0, [0, 1])
     >>> alpha.round(6).tolist()
     [0.686292, 0.144469]
@@ -182,12 +213,40 @@ def stiffest_at(beta: float, gamma: float, delta: float, delay: float) -> Extrem
 def limit_at(
     beta: ArrayLike, gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike
 ) -> tuple[Array, Array]:
-    """The largest stable alpha = K T^2/m with a damping, and the angle of its roots on the circle.
+    """Largest stable stiffness for a given virtual damping, and the angle of its roots.
 
-    Takes beta = B T/m and the loop as for :func:`max_stable_stiffness`; arrays broadcast.  NaN if
-    no stiffness makes the loop stable, and with a :class:`RuntimeWarning` if pieces of the
-    boundary are missed.
+    Parameters
+    ----------
+    beta : array_like
+        Virtual damping B T/m, finite.
+    gamma, delta : array_like
+        Physical stiffness k T^2/m >= 0 and physical damping b T/m >= 0.
+    delay : array_like
+        Delay in sampling periods, >= 0, integer or fractional.  All arguments broadcast.
 
+    Returns
+    -------
+    alpha, theta : float or ndarray
+        The largest alpha = K T^2/m, a supremum, and the angle omega T of its roots on the unit
+        circle.  NaN if no stiffness makes the loop stable.
+
+    Raises
+    ------
+    ValueError
+        If ``beta`` is infinite, or ``gamma``, ``delta`` or ``delay`` is negative or too large.
+
+    Warns
+    -----
+    RuntimeWarning
+        If pieces of the boundary are missed; the result is then NaN.
+
+    Notes
+    -----
+    The limit is found among all crossings of the explicit boundary
+    (:func:`symhaptic.stability_boundary`) and of the lines with a real root on the circle.  There
+    may also be a lower limit.
+    Examples
+    --------
     >>> alpha, theta = limit_at([0.0, 0.4, 3.0], 0.0, 0.0, 0)  # 2 beta (2 - beta)/(2 + beta)
     >>> alpha.round(6).tolist()
     [nan, 0.533333, nan]

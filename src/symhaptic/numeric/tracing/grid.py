@@ -81,11 +81,40 @@ def grid_boundary(
     betas: ArrayLike,
     threshold: float = 1e-8,
 ) -> Array:
-    """Points (alpha, beta) of the stability boundary, to within ``threshold`` along a grid line.
+    """Points of the stability boundary by the grid search of Sec. IV-D of the paper.
 
-    Computes the stability at every node of the grid.  If two neighbours differ, it halves the
-    interval between them until it is shorter than the threshold (Sec. IV-D of the paper).
+    Parameters
+    ----------
+    gamma, delta : float
+        Physical stiffness k T^2/m >= 0 and physical damping b T/m >= 0.
+    delay : float or Fraction
+        Delay in sampling periods, >= 0.
+    alphas, betas : array_like of shape (n,) and (m,)
+        Lines of the grid: values of K T^2/m and of B T/m, rising.
+    threshold : float, optional
+        Distance along a grid line within which a point is found.
 
+    Returns
+    -------
+    ndarray of shape (points, 2)
+        Pairs (alpha, beta), to within ``threshold`` along a grid line.
+
+    Raises
+    ------
+    ValueError
+        If an argument is out of its range.
+
+    See Also
+    --------
+    stable_region : The region with an outline to full precision, without a grid.
+
+    Notes
+    -----
+    The stability is computed at every node of the grid.  If two neighbours differ, the interval
+    between them is halved until it is shorter than the threshold.
+
+    Examples
+    --------
     >>> points = grid_boundary(0.0, 0.0, 0, np.linspace(-0.1, 1, 23), np.linspace(-0.1, 2.1, 23))
     >>> points.shape[1]
     2

@@ -33,7 +33,10 @@ first that leaves no loose end is taken."""
 
 @dataclass(frozen=True)
 class Region(Shape):
-    """The stable walls (alpha, beta) of one plant with one delay."""
+    """The stable walls (alpha, beta) of one plant with one delay, as a plane figure.
+
+    :func:`symhaptic.stable_region` returns it.  alpha is K T^2/m, beta is B T/m.
+    """
 
     loop: Loop
     polygon: Any
@@ -65,9 +68,23 @@ class Region(Shape):
         return self.farthest(0.0, -1.0)
 
     def farthest(self, alpha: float, beta: float) -> Extremum:
-        """The point of the boundary farthest in a direction, to full precision; NaN if none.
+        """The point of the boundary farthest in a direction, to full precision.
 
-        Its angle is NaN if it lies only on a line of a real root.
+        Parameters
+        ----------
+        alpha, beta : float
+            The direction, not both 0.
+
+        Returns
+        -------
+        Extremum
+            NaN if the region is empty.  The angle is NaN if the point lies only on a line of a real
+            root.
+
+        Raises
+        ------
+        ValueError
+            If a component is not finite, or both are 0.
         """
         for name, value in (("alpha", alpha), ("beta", beta)):
             array = arguments.finite(name, value)
@@ -82,7 +99,18 @@ class Region(Shape):
         return Extremum(*(np.asarray(v) for v in found))
 
     def contains(self, alpha: ArrayLike, beta: ArrayLike) -> NDArray[np.bool_]:
-        """Whether walls are stable; computed by the root count, not from the outline."""
+        """Whether walls are stable, by the root count and not from the outline.
+
+        Parameters
+        ----------
+        alpha, beta : array_like
+            K T^2/m and B T/m; they broadcast.
+
+        Returns
+        -------
+        bool or ndarray of bool
+            Of the shape to which the arguments broadcast.
+        """
         loop = self.loop
         return is_stable(alpha, beta, loop.gamma, loop.delta, loop.delay, loop.sheet)
 
@@ -101,18 +129,45 @@ _NEXT_TO_NONE = 2.0 ** -np.arange(10.0, 110.0, 10.0)
 def stable_region(
     gamma: float, delta: float, delay: float, sheet: str = "exact", tolerance: float = 1e-6
 ) -> Region:
-    """The stable region for a plant ``gamma``, ``delta`` >= 0 and ``delay`` >= 0 periods.
+    """The stable region of a plant: all walls (alpha, beta) with a stable loop.
 
-    Its sides are pieces of the explicit boundary and of the lines with a root at 1 or -1.  Corners
-    are computed to full precision, the outline between them to within ``tolerance`` of the
-    region's extent.  ``sheet="principal"`` gives the region that the paper draws for a fractional
-    delay.
+    Parameters
+    ----------
+    gamma, delta : float
+        Physical stiffness k T^2/m >= 0 and physical damping b T/m >= 0.
+    delay : float
+        Delay in sampling periods, 0 to 100 000, integer or fractional.
+    sheet : {"exact", "principal"}, optional
+        Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
+        reading that the paper draws.
+    tolerance : float, optional
+        Distance of the outline from the boundary, in units of the region's extent, from 1e-12 to 1.
 
-    Raises :class:`ValueError` for an impossible plant or tolerance, for more than 100 000 periods
-    of delay, because the time grows with the delay, and if pieces of the boundary are missed.  This
-    occurs for hardly damped devices with omega_d T near a multiple of pi, and on the principal
-    sheet for delays within some 1e-6 of a period above an integer.
+    Returns
+    -------
+    Region
+        With ``outline``, ``corners``, ``area``, ``contains``, ``plot``, ``max_stiffness``,
+        ``max_damping``, ``min_damping`` and ``farthest``.
 
+    Raises
+    ------
+    ValueError
+        If an argument is out of its range, or if pieces of the boundary are missed.  This occurs
+        for hardly damped devices with omega_d T near a multiple of pi, and on the principal sheet
+        for delays within some 1e-6 of a period above an integer.
+
+    See Also
+    --------
+    is_stable : The verdict on a single wall, without an outline.
+
+    Notes
+    -----
+    The sides are pieces of the explicit boundary (:func:`symhaptic.stability_boundary`, chapter
+    s4d_explicit_boundary) and of the lines with a root at 1 or -1.  Corners are computed to full
+    precision.  The time grows with the delay.
+
+    Examples
+    --------
     >>> region = stable_region(0.0, 0.0, 0)
     >>> [round(float(x), 6) for x in region.max_stiffness]  # alpha = 4 (2 - r)(r - 1)/r, r = sqrt 2
     [0.686292, 0.828427, 1.143718]

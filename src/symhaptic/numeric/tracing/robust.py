@@ -51,24 +51,46 @@ class RobustRegion(Shape):
 def robust_region(
     delta: float, delay: float, sheet: str = "exact", tolerance: float = 1e-3
 ) -> RobustRegion:
-    r"""The walls that are stable for every spring 0 <= gamma <= pi^2 + delta^2/4.
+    """The walls that are stable for every spring 0 <= gamma <= pi^2 + delta^2/4.
 
-    Computes the intersection of the stable regions of all springs, (30) of the paper, for
-    ``delta`` >= 0 and 0 <= ``delay`` <= 100 periods.  Long delays take some ten seconds.  Springs
-    are inserted halfway between two neighbours, in terms of the angle sqrt(gamma - delta^2/4),
-    until this moves the outline by less than ``tolerance`` of its extent.  If each insertion moves
-    it by about a quarter of the previous move, the remaining error is below the last move.
+    Parameters
+    ----------
+    delta : float
+        Physical damping b T/m, >= 0.
+    delay : float
+        Delay in sampling periods, 0 to 100.  Long delays take some ten seconds.
+    sheet : {"exact", "principal"}, optional
+        Meaning of a fractional delay, as for :func:`stable_region`.
+    tolerance : float, optional
+        Distance of the outline from the boundary, in units of the region's extent, from 1e-6 to 1.
 
-    Springs between the sampled ones are not proved.  Keep a distance of ``error``, which is an
-    estimate, from the outline, or use the walls that ``Scene.safe_walls`` proves for a range of
-    arms.
+    Returns
+    -------
+    RobustRegion
+        With ``outline``, ``area``, ``contains``, ``springs`` (the stiffnesses that were tried) and
+        ``error``, an estimate of how far the outline may be off.  Empty without damping.
 
-    Without damping there is no such wall, and the polygon is empty.  Chapter s5c_robust proves this
-    for integer delays and half periods; for other delays no such wall was found.
+    Raises
+    ------
+    ValueError
+        If an argument is out of its range, or if pieces of a boundary are missed: for some dampings
+        below 1e-8, and as in :func:`stable_region`.
 
-    Raises :class:`ValueError` for an impossible damping, delay or tolerance, and if pieces of a
-    boundary are missed: for some dampings below 1e-8, and as in :func:`stable_region`.
+    Notes
+    -----
+    The region is the intersection of the stable regions of all springs, (30) of the paper.  Springs
+    are inserted halfway between two neighbours (of the angle sqrt(gamma - delta^2/4)) until
+    this moves the outline by less than ``tolerance`` of its extent.  If each insertion moves it by
+    about a quarter of the previous move, the remaining error is below the last move.
 
+    Springs between the sampled ones are not proved.  Keep a distance of ``error`` from the outline,
+    or use the walls that ``Scene.safe_walls`` proves for a range of arms.
+
+    That no wall is robust without damping is proved in chapter s5c_robust for integer delays and
+    half periods; for other delays no such wall was found.
+
+    Examples
+    --------
     >>> region = robust_region(0.02, 0)  # a triangle for d = 0; passive walls fill 0.0008 of it
     >>> region.area > 0.0008, len(region.outline)
     (True, 1)

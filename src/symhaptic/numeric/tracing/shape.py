@@ -18,6 +18,11 @@ class Shape:
     polygon: Any
 
     @property
+    def labels(self) -> tuple[str, str]:
+        """What the axes of the plane are."""
+        return r"virtual stiffness $\alpha=KT^2/m$", r"virtual damping $\beta=BT/m$"
+
+    @property
     def outline(self) -> tuple[Array, ...]:
         """Closed rings, one row (alpha, beta) per point; one ring for each piece of the region."""
         parts = getattr(self.polygon, "geoms", [self.polygon])
@@ -29,8 +34,14 @@ class Shape:
         return float(self.polygon.area)
 
     def plot(self, axes: Axes, **style: Any) -> None:
-        """Draw the outline on Matplotlib's axes; ``style`` as for a line, ``fill`` for the area."""
+        """Draw the outline on Matplotlib's axes; ``style`` as for a line, ``fill`` for the area.
+
+        Axes without labels get those of the plane.
+        """
         fill = style.pop("fill", None)
+        if not axes.get_xlabel() and not axes.get_ylabel():
+            across, up = self.labels
+            axes.set(xlabel=across, ylabel=up)
         for ring in self.outline:
             if fill is not None:
                 axes.fill(ring[:, 0], ring[:, 1], color=fill, linewidth=0)

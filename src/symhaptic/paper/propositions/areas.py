@@ -1,7 +1,7 @@
 """The claims of Sec. IV-D on larger and smaller regions, read as areas.
 
 A region has less area than another where it lies in a polygon and a polygon of larger area lies in
-the other.  All is said of whole delays and numbers for the arm.
+the other. All is said of integer delays and numbers for the arm.
 """
 
 from __future__ import annotations

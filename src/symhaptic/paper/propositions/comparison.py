@@ -1,8 +1,8 @@
 """The claims of Sec. V: passivity beside stability.
 
 The passive region is that of condition (5) in the units of Table I, at every frequency below
-Nyquist's; stable is what the paper calls so, zeros of (18) inside, with z = w^q for d = p/q.  Both
-are exact for whole delays.  Of other delays what is true of the held force is claimed.
+Nyquist's; stable is what the paper calls so, zeros of (18) inside, with z = w^q for d = p/q. Both
+are exact for integer delays. Of other delays what is true of the held force is claimed.
 """
 
 from __future__ import annotations
@@ -39,8 +39,8 @@ COMES_TO_REST = Predicate("stable_loop", (), LOOP)
 def _passive_is_stable(printed: Printed) -> Proposition:
     """With the arm of Fig. 11, gamma = 0.001 and delta = 0.02, passive walls are stable.
 
-    Said twice: of the held force with its delay, for every d >= 0; and as the paper computes it,
-    of walls with alpha >= 0 that meet (5), and (18), for whole delays, where (18) is exact.
+    Said twice: of the held force with its delay, for every d >= 0; and as the paper computes it, of
+    walls with alpha >= 0 that meet (5), and (18), for integer delays, where (18) is exact.
     """
     walls, arm = (alpha, beta, d), {gamma: STIFF, delta: DAMPED_MOST}
     exact = ForAll(walls, implied([d >= 0, PASSIVE_WALL], COMES_TO_REST))
@@ -87,7 +87,7 @@ def _passive_region_scales(printed: Printed) -> Proposition:
 def _stiffness_turned_down(printed: Printed) -> Proposition:
     """A stable wall that does not pull is stable with any share y of its stiffness.
 
-    Its damping is kept.  Said of whole delays, for which (18) is a polynomial.
+    Its damping is kept. Said of integer delays, for which (18) is a polynomial.
     """
     given = [gamma >= 0, delta >= 0, whole(d), alpha >= 0, y >= 0, y <= 1, STABLE]
     return ForAll((*LOOP, y), implied(given, STABLE.at({alpha: y * alpha})))
@@ -196,7 +196,7 @@ def kept_at_minus_one() -> Proposition:
 def split_off() -> Proposition:
     """The polynomial is z + 1 times LOOSE, and the device loses one of its two poles at -1.
 
-    For whole delays.  LOOSE is zero at -1 just where alpha + 2 beta is.
+    For integer delays. LOOSE is zero at -1 just where alpha + 2 beta is.
     """
     device = Predicate("device", (), (sp.pi**2, sp.S.Zero, *NUMBERS))
     below, above = z**2 - a * z + e, n_1 * z + n_0

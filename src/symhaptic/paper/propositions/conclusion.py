@@ -166,7 +166,7 @@ def _damper_matters_by_a_factor(printed: Printed) -> Proposition:
 
 @claims("s6-stiffness-any-delay")
 def _spring_matters_by_a_factor(printed: Printed) -> Proposition:
-    """On (23) a spring changes the largest stable stiffness by some factor, behind every delay.
+    """On (23) a spring changes the largest stable stiffness by some factor, with every delay.
 
     Up or down, and both with the same damper.  The delay is whole.
     """

@@ -125,7 +125,7 @@ def _exact_at_the_samples(printed: Printed) -> Proposition:
 
 
 def delayed(response: Expr, late: Expr = d * T) -> Expr:
-    """The transfer function behind a delay."""
+    """The transfer function with a delay."""
     return sp.exp(-late * s) * response
 
 

@@ -36,7 +36,7 @@ UNIT = Rational(1, 10**6)
 
 
 def stiffer_than_passive() -> Proposition:
-    """Behind every whole delay some stable wall is at least as stiff as all passive ones."""
+    """With every integer delay some stable wall is at least as stiff as all passive ones."""
     given = [gamma >= 0, delta > 0, whole(d)]
     some = outdoes(stable(d, BEST), passive(d), alpha <= x)
     return ForAll((gamma, delta, d), implied(given, some))
@@ -55,7 +55,7 @@ def _by_how_much(printed: Printed) -> Proposition:
     """Some stable wall is at least as stiff as all passive ones; and how many times, in numbers.
 
     The numbers are for the arms of Fig. 12, delta = 0.02 without a spring and with gamma = 0.001,
-    and for six whole delays.
+    and for six integer delays.
     """
     numbers = [between(spring, delay) for spring, rows in RATIOS.items() for delay in rows]
     return both([stiffer_than_passive(), *numbers])
@@ -67,7 +67,7 @@ SIZES = {0: 100, 1: 41, 2: 27, 4: 16, 8: 9}
 
 @claims("s5a-much-smaller")
 def _dimensions_of_the_regions(printed: Printed) -> Proposition:
-    """In stiffness and in damping, for the arm and the five whole delays of Fig. 11.
+    """In stiffness and in damping, for the arm and the five integer delays of Fig. 11.
 
     The ratio of the stiffnesses lies between two decimals.  Of the dampings some stable wall is
     that many times as damped as all passive ones.

@@ -91,10 +91,11 @@ def on_line(stiffness: Expr, delay: int) -> Proposition:
 
 @claims("s4e-unstable-side")
 def _unstable_from_some_stiffness_on(printed: Printed) -> Proposition:
-    """Of two walls on the line the softer one is stable if the stiffer one is, and none with 1 is.
+    """If a wall on the line is stable, every less stiff wall on the line is stable, and none with
+    1 is.
 
-    So the line is on the unstable side from some stiffness on, where it crosses the boundary.  For
-    -gamma < alpha, on (23), without delay and one period late.
+    So the line is on the unstable side from some stiffness on, where it crosses the boundary. For
+    -gamma < alpha, on (23), without delay and with one period of delay.
     """
     stays = [
         implied([on_line(alpha, n)], both([on_line(x, n), proposition(alpha < 1)])) for n in LATE
@@ -106,7 +107,7 @@ def _unstable_from_some_stiffness_on(printed: Printed) -> Proposition:
 def safe() -> Proposition:
     """Every wall with (25) that has at most the damping of a stable wall on the line is stable.
 
-    For -gamma < alpha, on (23), without delay and one period late.
+    For -gamma < alpha, on (23), without delay and with one period of delay.
     """
     every = []
     for n in LATE:

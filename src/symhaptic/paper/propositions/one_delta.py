@@ -48,16 +48,16 @@ def instead() -> Proposition:
 
 
 def kept() -> Proposition:
-    """A wall with K > 0 that meets (5) with (3) is stable in every arm; d is whole."""
+    """A wall with K > 0 that meets (5) with (3) is stable with every arm; d is whole."""
     loop = STABLE.at({**UNITS, gamma: SPRING, delta: WHOLE})
     given = [*HELD, k_H >= 0, whole(d), K > 0, MEETS]
     return ForAll((*HAND, k_H, K, B, d), implied(given, loop))
 
 
 def outdone() -> Proposition:
-    """Some wall is stable in the arm that is 1 + b_H/b_D times as stiff as all passive ones.
+    """Some wall is stable with the arm that is 1 + b_H/b_D times as stiff as all passive ones.
 
-    Passive is the wall beside the device alone.  Behind every whole delay.
+    Passive is the wall beside the device alone. With every integer delay.
     """
     loop = STABLE.at({alpha: x, beta: y, gamma: SPRING, delta: WHOLE})
     softer = (b_D + b_H) * UNITS[alpha] <= b_D * x
@@ -122,7 +122,7 @@ def still_true() -> Proposition:
     """The ratios of Sec. V-B hold of every device and arm whose gamma and delta lie in (23).
 
     Some stable wall is more than 17.8 times as stiff as all passive ones without delay, and more
-    than 9.3 times one period late, with the damping of the device alone.
+    than 9.3 times with one period of delay, with the damping of the device alone.
     """
     parts = []
     for id, delay in (("s5b-eta-d0", 0), ("s5b-eta-d1", 1)):

@@ -95,7 +95,7 @@ LITTLE = d * b / (2 * d + 3) >= B
 """A wall is damped as the end of the line (8) is, or less."""
 
 ABOVE = (d > 0, d * b / (2 * d + 3) < B)
-"""It is damped more, behind a delay."""
+"""It is damped more, with a delay."""
 
 RANGE = (-b <= B, LITTLE)
 """The damping for which (9) is printed."""
@@ -112,7 +112,7 @@ STIFFEST = both([PASSIVE, ForAll((x, y), implied([PASSIVE.at({K: x, B: y})], x <
 
 @claims("eq7")
 def _envelope_is_the_boundary(printed: Printed) -> Proposition:
-    """Each wall that (7) gives for a frequency is on the boundary; behind a delay no other wall is.
+    """Each wall that (7) gives for a frequency is on the boundary; with a delay no other wall is.
 
     The latter of walls which are damped more than the end of the line (8): up to there the boundary
     is its line.  Without delay (7) is one wall, and the upper boundary that of (6), see Fig. 4.

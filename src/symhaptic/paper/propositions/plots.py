@@ -271,7 +271,7 @@ def one_of(*delays: str) -> Proposition:
 def dashed() -> Proposition:
     """Each wall of (27), for delta = 0.02 up to its end, is on the boundary of passive walls.
 
-    Behind a delay no other wall is on it, of those that are damped more than the end of (8).
+    With a delay no other wall is on it, of those that are damped more than the end of (8).
     """
     units = {K: alpha, B: beta, b: DAMPED, T: sp.S.One}
     curve = [proposition(line).at({delta: DAMPED}) for line in transcribed("eq27")]
@@ -311,20 +311,20 @@ def enclosed() -> Proposition:
 
 
 WHOLE = tuple(text for text in DELAYS if "." not in text)
-"""The whole delays among those of Fig. 11."""
+"""The integer delays among those of Fig. 11."""
 
 
 @claims("fig11")
 def _both_in_one_plane(printed: Printed) -> Proposition:
     """For gamma = 0.001 and delta = 0.02: dashed and solid curves, and their regions.
 
-    Of the five whole delays: a wall of a dashed curve, (27) up to its end, is on the boundary of
-    the passive walls, and with more damping than the end of (8) no other wall is, with a delay.  On
+    Of the five integer delays: a wall of a dashed curve, (27) up to its end, is on the boundary of
+    the passive walls, and with more damping than the end of (8) no other wall is, with a delay. On
     a solid curve, alpha(theta) and beta(theta), are the walls that have a zero at exp(j theta);
-    none is stable, and no wall left of alpha = -gamma or on it.  The walls that the boundaries
-    enclose with a stable one are stable.  Of all seven delays: the passive walls are stable, with
+    none is stable, and no wall left of alpha = -gamma or on it. The walls that the boundaries
+    enclose with a stable one are stable. Of all seven delays: the passive walls are stable, with
     the held force delayed by just that; the text does not say which polynomial the solid curves of
-    the other two belong to.  The dash-dotted line of the largest stiffness is that of Fig. 12.
+    the other two belong to. The dash-dotted line of the largest stiffness is that of Fig. 12.
     """
     arm = {gamma: STIFF, delta: DAMPED}
     left = ForAll((alpha, beta), implied([STABLE.at(arm)], alpha > -STIFF))
@@ -342,8 +342,8 @@ PANELS = ("0", "0.5", "1", "2")
 def _springs_up_to_nyquist(printed: Printed) -> Proposition:
     """For delta = 0.02 and delta = 0, and the springs up to that of (30): all of them.
 
-    Of the three whole delays: on a curve are the walls that have a zero at exp(j theta), and none
-    is stable; the walls that the boundaries enclose with a stable one are stable.  Of all four
+    Of the three integer delays: on a curve are the walls that have a zero at exp(j theta), and none
+    is stable; the walls that the boundaries enclose with a stable one are stable. Of all four
     delays: the passive walls for delta = 0.02 with alpha > 0, the green region, are stable with
     every such spring, with the held force delayed by just that; as for Fig. 11.
     """

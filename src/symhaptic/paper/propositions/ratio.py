@@ -131,7 +131,7 @@ def _less_damping_sets_them_further_apart(printed: Printed) -> Proposition:
     """With less damping the passive stiffness is a smaller share of the stable one, on (23).
 
     Size is read as the largest stiffness: eta(delta) < rho < eta(delta') for some rho, with one
-    spring.  The passive walls vanish with the damper, 0 < delta.  For every whole delay.
+    spring. The passive walls vanish with the damper, 0 < delta. For every integer delay.
     """
     more = above(RATE, d).at({delta: HEAVIER})
     ranges = [p.subs(delta, HEAVIER) for p in transcribed("eq23")]
@@ -142,7 +142,8 @@ def _less_damping_sets_them_further_apart(printed: Printed) -> Proposition:
 
 @claims("s5b-eta-grows")
 def _until_it_is_one(printed: Printed) -> Proposition:
-    """Behind some whole delay no stable wall is stiffer than a passive one; until then eta grows.
+    """Behind some integer delay no stable wall is stiffer than a passive one; until then eta
+    grows.
 
     For both springs of Fig. 12, of which it is said.
     """

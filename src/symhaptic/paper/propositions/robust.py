@@ -28,7 +28,7 @@ def robust(delay: Expr | int = d, wall: Sequence[Expr] = WALL) -> Proposition:
 def _no_stiffer_spring_destabilises(printed: Printed) -> Proposition:
     """A wall that is stable with every spring up to the Nyquist frequency is so with every spring.
 
-    Behind every whole delay.
+    With every integer delay.
     """
     every = ForAll((gamma,), implied([gamma >= 0], STABLE))
     given = [delta >= 0, whole(d), robust()]
@@ -37,7 +37,7 @@ def _no_stiffer_spring_destabilises(printed: Printed) -> Proposition:
 
 @claims("s5c-robust-shrinks-sets")
 def _delay_takes_robust_walls(printed: Printed) -> Proposition:
-    """What is robustly stable behind a larger whole delay is so behind a smaller one."""
+    """What is robustly stable behind a larger integer delay is so behind a smaller one."""
     given = [delta >= 0, whole(d), whole(LATER), d <= LATER, robust(LATER)]
     return ForAll((alpha, beta, delta, d, LATER), implied(given, robust()))
 
@@ -77,7 +77,7 @@ DELAYS = (0, 1, 2, 4, 8)
 def _stiffness_rises_with_the_damper(printed: Printed) -> Proposition:
     """The largest robustly stable stiffness rises from delta = 0.005 to 0.01 and 0.02.
 
-    For the whole delays of Fig. 11.
+    For the integer delays of Fig. 11.
     """
     parts = []
     for delay in DELAYS:

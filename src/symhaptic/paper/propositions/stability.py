@@ -230,7 +230,8 @@ PIECE = Rational(1, 4), Rational(1, 2)
 
 @claims("s4d-left-bound")
 def _region_ends_on_the_left_line(printed: Printed) -> Proposition:
-    """For the arms of (23) no stable wall lies on the printed line or left of it, for whole delays.
+    """For the arms of (23) no stable wall lies on the printed line or left of it, for integer
+    delays.
 
     Without delay, as in Fig. 7, it is a bound: for 1/4 <= beta <= 1/2 walls as near to it as one
     likes are stable.

@@ -36,8 +36,8 @@ def connected(kind: int) -> Proposition:
 def _what_is_connected_is_passive_and_stable(printed: Printed) -> Proposition:
     """In parallel, n = 1, fed back, n = 2, and in a chain, n = 3, passive systems are passive.
 
-    Said of linear systems, at each frequency of a sine.  Stable is said of what the paper connects,
-    an arm and a device with the wall: a loop comes to rest, behind every delay, if no motion gains
+    Said of linear systems, at each frequency of a sine. Stable is said of what the paper connects,
+    an arm and a device with the wall: a loop comes to rest, with every delay, if no motion gains
     energy from its wall and its damper.
     """
     given = [R_1 >= 0, R_2 >= 0, gamma >= 0, delta >= 0, d >= 0, PASSIVE_WALL]

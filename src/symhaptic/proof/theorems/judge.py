@@ -8,7 +8,7 @@ then what holds instead is a theorem, too.  Nothing open, nothing vacuous.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from sympy import Eq, Expr, Le, Lt, Ne, Symbol
@@ -188,6 +188,15 @@ def taken_apart(
     if isinstance(claim, Implies):
         return symbols, conjuncts(claim.of[0]), claim.of[1]
     return symbols, (), claim
+
+
+def supposed(conclusion: Proposition) -> Iterator[Proposition]:
+    """The hypotheses that a conclusion has of its own, in the parts that may hold a print."""
+    if isinstance(conclusion, Implies):
+        yield from conjuncts(conclusion.of[0])
+    parts = conclusion.of[1:] if isinstance(conclusion, Implies) else conclusion.parts
+    for part in parts if isinstance(conclusion, (And, Iff, ForAll, Implies)) else ():
+        yield from supposed(part)
 
 
 def of_print(claim: Proposition, printed: Iterable[Expr], condition: bool = False) -> Proposition:

@@ -14,6 +14,7 @@ import sympy as sp
 from sympy import Expr, Symbol
 
 from symhaptic.notation import a, delta, e, gamma, n_0, n_1
+from symhaptic.notation.fresh import fresh
 from symhaptic.notation.proposition import (
     And,
     ForAll,
@@ -186,7 +187,7 @@ def is_whole(value: Any, *known: Theorem) -> Judgement:
         hypotheses |= theorem.hypotheses
         allowed.add(claim.of[0])
     hypotheses |= conditions(value) - needed(*allowed)
-    names = {w: sp.Dummy() for w in sorted(allowed - {value}, key=str)}
+    names = {w: fresh(value.free_symbols) for w in sorted(allowed - {value}, key=str)}
     poly = value.xreplace(names)
     try:
         coefficients = sp.Poly(poly, *names.values(), domain=sp.QQ).coeffs() if names else [poly]
