@@ -77,7 +77,7 @@ setup(
         Extension(
             "symhaptic.kernels._compiled",
             sources=[f"{KERNELS}/ufuncs.cpp", *(f"{KERNELS}/{name}.c" for name in LIBRARIES)],
-            depends=[f"{KERNELS}/{name}" for name in ("haptic.c", "table.h")],
+            depends=[f"{KERNELS}/table.h"],
             include_dirs=[numpy.get_include()],
             optional=True,
         ),

@@ -9,20 +9,20 @@ import os
 import subprocess
 import sys
 import tempfile
-from multiprocessing import get_context
+from multiprocessing import forkserver, get_context
 from multiprocessing.reduction import DupFd
+from pathlib import Path
+from unittest.mock import patch
 
 _FORKED = get_context("forkserver")
-_OURS = ("book.figures", "book.listing", "book.parallel", "book.parts", "book.report.printed",
-         "bounds.walls", "check.callers", "check.checked", "check.compare", "check.formulas",
-         "check.report", "cli.main", "numeric.tracing.output", "scene.device_file",
-         "scene.scene")  # fmt: skip
-_THEIRS = "matplotlib.figure", "matplotlib.backends.backend_svg", "pydantic"
-_FORKED.set_forkserver_preload([*(f"symhaptic.{name}" for name in _OURS), *_THEIRS])
+_FORKED.set_forkserver_preload(["preloaded"])
 
 
 def symhaptic(*arguments, cwd=None, text=True, timeout=300):
     """What the command says, and its exit status."""
+    here = os.pathsep.join([str(Path(__file__).parent), os.environ.get("PYTHONPATH", "")])
+    with patch.dict(os.environ, {"PYTHONPATH": here}):  # where the server looks, not its caller
+        forkserver.ensure_running()
     command = ["symhaptic", *map(str, arguments)]
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
         process = _FORKED.Process(

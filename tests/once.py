@@ -1,7 +1,10 @@
-"""What takes long to make is made by one worker of pytest-xdist, and the others use it."""
+"""What takes long to make is made once: for a worker of pytest-xdist, or for all of them."""
 
 import fcntl
 import os
+from functools import cache
+
+import pytest
 
 
 def once(factory, name, make):
@@ -16,3 +19,9 @@ def once(factory, name, make):
             make(folder)
             ready.touch()
     return folder
+
+
+@cache
+def registry():
+    """The units of Pint, which takes a tenth of a second to read them."""
+    return pytest.importorskip("pint", reason="no Pint here").UnitRegistry()

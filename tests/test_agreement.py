@@ -20,11 +20,11 @@ def random_loops(rng, count, delays):
 
 @pytest.mark.parametrize(
     ("seed", "delays", "count"),
-    [(1, np.arange(13.0), 80_000), (2, np.array([0.25, 0.5, 1.3, 2.999, 7.6, 11.01]), 30_000)],
+    [(1, np.arange(13.0), 20_000), (2, np.array([0.25, 0.5, 1.3, 2.999, 7.6, 11.01]), 8_000)],
     ids=["whole", "fractional"],
 )
 def test_stability_is_that_of_the_eigenvalues(seed, delays, count):
-    """110 000 loops; those within 1e-9 of the circle are beyond what eigenvalues can tell."""
+    """28 000 loops; those within 1e-9 of the circle are beyond what eigenvalues can tell."""
     rng = np.random.default_rng(seed)
     case = random_loops(rng, count, rng.choice(delays, count))
     largest = radius(*case)
@@ -86,7 +86,7 @@ def test_the_certified_count_is_that_of_mpmath_at_60_digits():
 def test_residual_of_traced_points(sheet):
     """gamma to pi^2, delta to 2, d to 1000, angles close to both ends: at most 1e-13."""
     rng = np.random.default_rng(6)
-    for _ in range(400):
+    for _ in range(100):
         gamma = rng.choice([0.0, 10 ** rng.uniform(-9, 0), rng.uniform(0, np.pi**2), np.pi**2])
         delta = rng.choice([0.0, 10 ** rng.uniform(-9, 0), rng.uniform(0, 2)])
         delay = rng.choice([0, 1, 1000, rng.integers(0, 1001), rng.uniform(0, 1000)])

@@ -8,8 +8,10 @@ from chapters import chapter
 from symhaptic.book.chapters import shipped
 from symhaptic.paper import STATEMENTS
 
-LONGEST = 350
+LONGEST = 240
 """Lines of a chapter, with the lemmas that it alone uses."""
+LONGER = dict.fromkeys(("s4d_left_bound_delayed", "s5a_one_delta", "s6g_next_whole_delay"), 340)
+"""Chapters with one long proof each, whose lemmas serve nowhere else."""
 
 DEFINITIONS = [
     "eq1",
@@ -274,7 +276,7 @@ CHAPTERS = [path.stem for path in shipped()]
 @pytest.mark.parametrize("name", CHAPTERS)
 def test_chapter_runs_and_is_short(name):
     found = chapter(name)
-    assert len(found.path.read_text(encoding="utf-8").splitlines()) < LONGEST
+    assert len(found.path.read_text(encoding="utf-8").splitlines()) < LONGER.get(name, LONGEST)
     assert re.search(r"\w\?$|\w$", found.title)  # a question or a statement
     assert found.introduction
 

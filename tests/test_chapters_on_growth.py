@@ -23,16 +23,16 @@ def radius(al, be, g, dl, delay):
 
 
 def test_no_stable_wall_is_lost_to_damping_without_delay():
-    """s4d-delta-grows inside (23): 3000 random walls and pairs of dampings."""
+    """s4d-delta-grows inside (23): 600 random walls and pairs of dampings."""
     stable = 0
-    for _ in range(3000):
+    for _ in range(600):
         g, one = RNG.uniform(0, 1e-3), RNG.uniform(0, 0.02)
         two = RNG.uniform(one, 0.02)
         al, be = RNG.uniform(-g, 0.75), RNG.uniform(-0.03, 2.1)
         if radius(al, be, g, one, 0) < 1 - 1e-9:
             stable += 1
             assert radius(al, be, g, two, 0) < 1
-    assert stable > 500
+    assert stable > 100
 
 
 @pytest.mark.parametrize(

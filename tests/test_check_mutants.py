@@ -14,7 +14,7 @@ import pytest
 from command import symhaptic
 
 import symhaptic as sh
-from symhaptic.check import report
+from symhaptic.check import compare, report
 from symhaptic.check.callers import Theirs, called
 from symhaptic.check.checked import exact
 from symhaptic.check.compare import compared, error
@@ -429,10 +429,31 @@ MUTANTS = {
 }
 
 
+SEARCHES = "delay_margin", "max_delay"
+FEW = 1000
+"""Points of a first run: what it refuses, the default run of ten times as many refuses, too."""
+ENOUGH = 25
+"""Wrong results among those that are compared, after which the others count as right."""
+
+
 @pytest.mark.parametrize("name", MUTANTS)
-def test_a_wrong_implementation_is_refused_by_the_default_run(name):
+def test_a_wrong_implementation_is_refused_by_the_default_run(name, monkeypatch):
+    """As it is where all results are compared, since none of these lowers the worst error."""
     id, function = MUTANTS[name]
-    call = function if id in ("delay_margin", "max_delay") else on_arrays(function)
+    call = function if id in SEARCHES else on_arrays(function)
+    wrong = []
+
+    def first(checked, point, got):
+        if len(wrong) == ENOUGH:
+            return 0.0, checked.results[0]
+        found = error(checked, point, got)
+        wrong.extend([found] * (found[0] > 8))
+        return found
+
+    monkeypatch.setattr(compare, "error", first)
+    if id not in SEARCHES and not compared(CHECKED[id], call, count=FEW, explained=False).agrees:
+        return  # at some of the points, and so at all
+    wrong.clear()
     found = compared(CHECKED[id], call, explained=False)
     assert not found.agrees
 

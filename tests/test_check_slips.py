@@ -143,7 +143,7 @@ def bound(*at):
 )
 def test_a_usual_slip_is_refused_and_named(formula, function, said):
     checked = CHECKED[formula]
-    found = compared(checked, callers.called(function), 8, 2000)
+    found = compared(checked, callers.called(function), 8, 500)
     assert not found.agrees
     if said == "differs":  # no usual slip: nothing is named
         assert found.names == ()

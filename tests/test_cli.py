@@ -247,10 +247,11 @@ BAD_CHAPTERS = {
 def test_a_bad_chapter_gives_one_line_and_writes_nothing(case, tmp_path):
     text, message = BAD_CHAPTERS[case]
     path = chapter(tmp_path, text)
-    alone = symhaptic("verify", "--workers", 1, "my", "--derivation", path)
     run = symhaptic("verify", "eq1", "--derivation", path, "-o", tmp_path / "out.txt")
-    assert run.returncode == alone.returncode == 2
-    assert run.stderr == alone.stderr
+    assert run.returncode == 2
+    if case == next(iter(BAD_CHAPTERS)):
+        alone = symhaptic("verify", "--workers", 1, "my", "--derivation", path)
+        assert (alone.returncode, alone.stderr) == (2, run.stderr)
     assert message in run.stderr
     assert str(path) in run.stderr
     assert run.stderr.count("\n") == 1
@@ -366,14 +367,14 @@ def test_a_report_does_not_write_over_what_is_not_its_own(name, tmp_path):
 
 def test_one_chapter_alone(tmp_path):
     (tmp_path / "book.tex").write_text("mine")  # which it does not write
-    run = symhaptic("report", "--chapter", "s3c_stiffness_maximum", "-o", tmp_path)
+    name = "s3a_undelayed"
+    run = symhaptic("report", "--chapter", name, "-o", tmp_path)
     assert run.returncode == 0, run.stderr
     names = {path.name for path in tmp_path.iterdir()}
-    assert names == {"book.tex", "s3c_stiffness_maximum.tex", "symhaptic.sty"}
-    written = (tmp_path / "s3c_stiffness_maximum.tex").read_text(encoding="utf-8")
-    name = "s3c_stiffness_maximum"  # the same as in the book
-    assert written.endswith(chapter_tex(chapters.chapter(name), numbers()[name]))
-    check = ("report", "--chapter", "s3c_stiffness_maximum", "--check", "-o", tmp_path)
+    assert names == {"book.tex", f"{name}.tex", "symhaptic.sty"}
+    written = (tmp_path / f"{name}.tex").read_text(encoding="utf-8")
+    assert written.endswith(chapter_tex(chapters.chapter(name), numbers()[name]))  # as in the book
+    check = ("report", "--chapter", name, "--check", "-o", tmp_path)
     assert symhaptic(*check).returncode == 0
     (tmp_path / "symhaptic.sty").unlink()
     assert symhaptic(*check).returncode == 1
@@ -393,7 +394,13 @@ def test_help_and_version():
     assert started("--version").stdout == symhaptic("--version").stdout
 
 
-@pytest.mark.parametrize("arguments", [["verify", "eq99"], ["verify", "eq1"], ["report", "book"]])
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["verify", "eq1"],
+        *(pytest.param(a, marks=pytest.mark.ci) for a in (["verify", "eq99"], ["report", "book"])),
+    ],
+)
 def test_started_from_nothing_it_says_the_same(arguments):
     told, anew = symhaptic(*arguments), started(*arguments)
     assert (told.returncode, told.stderr) == (anew.returncode, anew.stderr)

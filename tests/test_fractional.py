@@ -67,7 +67,7 @@ CASES = [(0.7, 0.3, 0, 0.5), (2.0, 4.0, 1, 0.25), (9.0, 0.02, 2, 0.9), (0.001, 0
 
 @pytest.mark.parametrize(("gamma", "delta", "whole", "part"), CASES)
 def test_polynomial_is_that_of_the_simulated_loop(gamma, delta, whole, part):
-    for _ in range(20):
+    for _ in range(3):
         alpha, beta = RNG.normal(size=2)
         step = loop(alpha, beta, gamma, delta, whole, part)
         # the coefficients of a determinant of this size, from eigenvalues: some 1e-13

@@ -293,7 +293,7 @@ def largest_root(delay, stiffness, damping, numbers):
 def test_loops_beside_eigenvalues(delay):
     rng = np.random.default_rng(delay)
     loops, largest = [], []
-    for _ in range(60):
+    for _ in range(15):
         gamma, delta = 10 ** rng.uniform(-3, 1), rng.choice([0, 10 ** rng.uniform(-3, 0.7)])
         numbers = plant(gamma, delta)
         for _ in range(30):
@@ -307,8 +307,8 @@ def test_loops_beside_eigenvalues(delay):
     clear = np.abs(largest - 1) > 1e-5  # roots of multiplicity two are known to half the digits
     clear &= np.abs(found).min(axis=0) > 1e-9  # and a sum of some thousand terms is rounded
     assert ((found > 0).all(axis=0) == (largest < 1))[clear].all()
-    assert (largest[clear] < 1).sum() > 50
-    assert (largest[clear] > 1).sum() > 50
+    assert (largest[clear] < 1).sum() > 10
+    assert (largest[clear] > 1).sum() > 10
 
 
 @pytest.mark.parametrize("delay", DELAYS)
@@ -316,13 +316,13 @@ def test_free_mass_beside_eigenvalues(delay):
     """Walls on a grid around the region, which shrinks as (d+1)^-2 and (d+1)^-1."""
     expressions = [r.lhs for r in jury.inequalities(delay, FREE)]
     assert {s for f in expressions for s in f.free_symbols} == {alpha, beta}
-    stiffness, damping = np.meshgrid(np.linspace(-0.5, 2.5, 40), np.linspace(-0.3, 1.7, 30))
+    stiffness, damping = np.meshgrid(np.linspace(-0.5, 2.5, 20), np.linspace(-0.3, 1.7, 15))
     stiffness, damping = stiffness.ravel() / (delay + 1) ** 2, damping.ravel() / (delay + 1)
     held = (values(expressions, (alpha, beta), (stiffness, damping)) > 0).all(axis=0)
     for wall in zip(stiffness, damping, held, strict=True):
         size = largest_root(delay, *wall[:2], (0.5, 0.5, 2.0, 1.0))
         assert wall[2] == (size < 1) or abs(size - 1) < 1e-6
-    assert min(held.sum(), (~held).sum()) > 50
+    assert min(held.sum(), (~held).sum()) > 10
 
 
 SCHUR = "schur_conditions"
@@ -411,7 +411,7 @@ def test_the_public_inequalities_beside_schurs_reduction(delay):
     rng = np.random.default_rng(40 + delay)
     counts = {True: 0, False: 0}
     size = Fraction(1, 2 * delay + 1)
-    for _ in range(120):
+    for _ in range(40):
         wall = [size * Fraction(int(rng.integers(low, 100)), 60) for low in (-5, -20)]
         device = [
             Fraction(int(rng.integers(low, high)), 1000)
@@ -420,7 +420,7 @@ def test_the_public_inequalities_beside_schurs_reduction(delay):
         inside = schur_cohn(exact_loop(delay, wall, device))
         counts[inside] += 1
         assert all(p(*wall, *device) > 0 for p in found) == inside, (wall, device)
-    assert min(counts.values()) > 5
+    assert min(counts.values()) > 1
 
 
 @pytest.mark.parametrize("delay", [0, 1, 2, 5, pytest.param(8, marks=pytest.mark.ci)])
@@ -429,7 +429,7 @@ def test_a_device_in_numbers_beside_eigenvalues(delay):
     for gamma, delta in ((0.001, 0.02), (0.0, 0.0), (2.0, 0.3), (1.0, 2.0)):  # the last is critical
         conditions = symhaptic.jury(delay, gamma, delta)
         found = [sp.lambdify((alpha, beta), p.lhs, []) for p in conditions]
-        for stiffness, damping in rng.uniform(-0.1, 1.0, (60, 2)) / (delay + 1):
+        for stiffness, damping in rng.uniform(-0.1, 1.0, (20, 2)) / (delay + 1):
             size = largest_root(delay, stiffness, damping, plant(gamma, delta))
             if abs(size - 1) > 1e-6:
                 assert all(p(stiffness, damping) > 0 for p in found) == (size < 1)

@@ -8,6 +8,7 @@ import sys
 import flint
 import numpy as np
 import pytest
+from docutils import nodes
 from flint import arb
 
 from symhaptic.bench import (
@@ -28,6 +29,7 @@ from symhaptic.bench.functions import Effort, WrongExact, chosen, confirm, error
 from symhaptic.bench.printed import expressions, function, swings
 from symhaptic.book.chapters import expected_bench
 from symhaptic.book.measured import record, tables
+from symhaptic.book.measured.chapter import measurement
 from symhaptic.cli.computing import bench
 from symhaptic.export import request
 
@@ -281,16 +283,26 @@ def test_a_measurement_without_matplotlib_claims_no_plots(tmp_path, monkeypatch,
     assert sorted(path.name for path in tmp_path.iterdir()) == ["bench.json", "bench.md"]
 
 
+def test_the_page_of_the_book_has_each_table_with_its_rows(tiny, tmp_path):
+    path = tmp_path / "bench.json"
+    path.write_text(record.text(tiny))
+    found = list(measurement(path).findall(nodes.table))
+    wanted = [[table.head, *table.rows] for table in tables.tables(tiny)]
+    assert [[len(row) for row in one.findall(nodes.row)] for one in found] == [
+        [len(row) for row in one] for one in wanted
+    ]
+    first = [next(one.findall(nodes.entry)).astext() for one in found]
+    assert first == [one[0][0] for one in wanted]
+    assert measurement(tmp_path / "none.json") is None
+
+
 @pytest.mark.slow
 def test_plots_and_tables_are_written(tiny, tmp_path):
     from symhaptic.bench.measuring import FORMATS, write
-    from symhaptic.book.measured.chapter import measurement
 
     write(tiny, tmp_path)
     names = {p.name for p in tmp_path.iterdir()}
     assert {"bench.json", "bench.md"} < names
     for format in FORMATS:
         assert f"bench_functions.{format}" in names
-    shown = measurement(tmp_path / "bench.json")
-    assert "Functions in double precision." in shown.astext()
-    assert measurement(tmp_path / "none.json") is None
+    assert "Functions in double precision." in measurement(tmp_path / "bench.json").astext()

@@ -135,7 +135,7 @@ FLAT = [
 
 @pytest.mark.parametrize("wall", FLAT)
 def test_no_angle_needs_more_than_the_largest_need(wall):
-    """(5) of the paper, at a fraction with the term of the worst motion, at 4000 angles."""
+    """(5) of the paper, at a fraction with the term of the worst motion, at 400 angles."""
     alpha, beta, d = wall
     with flint.ctx.workprec(300):
         need, _ = implicit.largest_required_damping(alpha, beta, d)
@@ -156,10 +156,10 @@ def test_no_angle_needs_more_than_the_largest_need(wall):
 
         turn = mpmath.pi / (d + 1)
         last = min(4 * turn, mpmath.pi)
-        most = max(required(last * (k + mpmath.mpf(1) / 2) / 4000) for k in range(4000))
+        most = max(required(last * (k + mpmath.mpf(1) / 2) / 400) for k in range(400))
         upper, lower = (mpmath.mpf(v.str(40, radius=False)) for v in (need.upper(), need.lower()))
         assert most <= upper * (1 + mpmath.mpf(10) ** -18)
-        assert most >= lower * (1 - mpmath.mpf(10) ** -5)
+        assert most >= lower * (1 - mpmath.mpf(10) ** -3)
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from symhaptic.book.figures.drawings import Drawings, figures, take
 from symhaptic.book.record import Block
 
 
-@pytest.mark.parametrize("ending", [".pdf", ".svg"])
+@pytest.mark.parametrize("ending", [pytest.param(".pdf", marks=pytest.mark.ci), ".svg"])
 def test_what_is_drawn_beside_is_what_is_drawn_at_once(tmp_path, ending):
     one = chapter("s3b_envelope")
     (block,) = figures([one])

@@ -50,16 +50,16 @@ def test_a_wall_that_one_arm_makes_unstable_is_never_inside(name):
     rng = np.random.default_rng(7)
     T, delay = float(case.period), float(case.periods[0])
     tried = 0
-    corners = [None] * 60 + list(product((0, 1), repeat=3))
+    corners = [None] * 20 + list(product((0, 1), repeat=3))
     for at in corners:
         m, b, k = moved(case, rng, at)
-        theta = rng.uniform(0.0, 1.0, 200) ** 3 * np.pi / (delay + 1)
+        theta = rng.uniform(0.0, 1.0, 60) ** 3 * np.pi / (delay + 1)
         alpha, beta = stability_boundary(theta[theta > 1e-6], k * T * T / m, b * T / m, delay)
         for K, B in zip(alpha * m / T**2, beta * m / T, strict=True):
             if columns.low < K and columns.edges[0] <= B <= columns.edges[-1]:
                 tried += 1
                 assert not inside(columns, K, B), (K, B, m, b, k)
-    assert tried > 100
+    assert tried > 30
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -100,7 +100,10 @@ def test_hardly_a_wall_is_left_out(name):
 
 @pytest.mark.parametrize(
     ("mass", "damping", "T", "delay"),
-    [("0.05", "0.05", "0.002", 3), ("0.1", "0.5", "0.001", 30)],
+    [
+        ("0.05", "0.05", "0.002", 3),
+        pytest.param("0.1", "0.5", "0.001", 30, marks=pytest.mark.ci),
+    ],
 )
 def test_long_delays_are_proved_with_less_stiffness_within_a_bounded_effort(
     mass, damping, T, delay

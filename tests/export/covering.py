@@ -33,20 +33,21 @@ def covering(factors, allowed, tries=60, seed=1):
     return found
 
 
-def every_value(first, second):
+def every_value(first, second, quick=None):
     """All pairs as parameters of a test, those slow that are not needed for each value to occur.
 
     Each of the longer meets the next of the other.  Those of one of ``second`` are beside each
-    other.
+    other.  If some are ``quick``, the other needed ones run with `make ci`.
     """
     first, second = list(first), list(second)
     rows = range(max(len(first), len(second)))
     usual = {(first[row % len(first)], second[row % len(second)]) for row in rows}
-    return [
-        pytest.param(one, other, marks=[] if (one, other) in usual else pytest.mark.slow)
-        for other in second
-        for one in first
-    ]
+    quick = usual if quick is None else quick
+
+    def when(pair):
+        return [] if pair in quick else pytest.mark.ci if pair in usual else pytest.mark.slow
+
+    return [pytest.param(one, other, marks=when((one, other))) for other in second for one in first]
 
 
 def one_of(values, *some):

@@ -55,12 +55,18 @@ def some(scene):
 
 CASES = [(name, "everything") for name in TARGETS]
 CASES += [("c", "no stiffness"), ("numpy", "no damping")]
-USUAL = [(name, "everything") for name in ("numpy", "c", "fortran", "rust", "javascript")]
+USUAL = [(name, "everything") for name in ("numpy", "c")]
+FURTHER = [(name, "everything") for name in ("fortran", "rust", "javascript")]
 
 
 @pytest.mark.parametrize(
     ("language", "scene"),
-    [pytest.param(*c, marks=[] if c in USUAL else pytest.mark.slow) for c in CASES],
+    [
+        pytest.param(
+            *c, marks=[] if c in USUAL else pytest.mark.ci if c in FURTHER else pytest.mark.slow
+        )
+        for c in CASES
+    ],
 )
 def test_the_self_test_of_every_target_passes_with_derivatives(language, scene, tmp_path):
     target, forms = TARGETS[language], some(scene)

@@ -6,6 +6,7 @@ energy, a polynomial or a formula that is not the package's own.
 
 import math
 import shutil
+from itertools import product
 
 import numpy as np
 import oracle
@@ -25,8 +26,15 @@ SLACK = {DOUBLE: 1e-12, SINGLE: 1e-4}
 """Of numbers of about 1; the difference to the principal sheet is 1e-3 and more."""
 
 
+QUICK = (DOUBLE, ""), (SINGLE, "no-stiffness"), (None, "no-damping"), (None, "no-virtual-damping")
+"""Each precision and each scene; the other pairs are slow."""
+
+
 @pytest.fixture(
-    params=[(p, s) for p in (DOUBLE, SINGLE, None) for s in SCENES],
+    params=[
+        pytest.param(case, marks=[] if case in QUICK else pytest.mark.slow)
+        for case in product((DOUBLE, SINGLE, None), SCENES)
+    ],
     ids=lambda case: f"{getattr(case[0], 'name', 'arrays')}-{case[1] or 'full'}",
 )
 def exported(request, tmp_path_factory):
@@ -57,7 +65,7 @@ def asked(scene):
     return request.scene(scene)
 
 
-def walls(form, count=40):
+def walls(form, count=16):
     """Arguments in single precision, each with a fractional delay."""
     rng = np.random.default_rng(17)
     ranges = {"theta": (0.05, 3.0), "alpha": (0.05, 2), "beta": (-0.4, 2), "gamma": (0.0, 3),
@@ -127,13 +135,13 @@ def test_the_stiffest_passive_wall_needs_all_damping_and_no_other_is_stiffer(exp
     beta = np.ravel(found[1]) if len(form.results) > 1 else np.zeros(late.size)
     for k, delay in enumerate(late):
         assert needed(float(alpha[k]), float(beta[k]), delay).max() == pytest.approx(1, abs=2e-5)
-        for other in beta[k] + (np.linspace(-0.2, 0.2, 9) if len(form.results) > 1 else [0]):
+        for other in beta[k] + (np.linspace(-0.2, 0.2, 5) if len(form.results) > 1 else [0]):
             assert needed(1.001 * float(alpha[k]), float(other), delay).max() > 1
 
 
 def test_points_of_the_stability_boundary_have_a_root_on_the_circle(exported):
     form, function, slack = exported("stability_boundary")
-    given = walls(form, 20)
+    given = walls(form, 12)
     alpha, beta = map(np.ravel, function(*given.values()))
     for k, (_, _, gamma, delta, delay) in enumerate(rows(left_out(given))):
         at = alpha[k], beta[k], given["theta"][k], gamma, delta, delay
@@ -142,7 +150,7 @@ def test_points_of_the_stability_boundary_have_a_root_on_the_circle(exported):
 
 def test_the_stiffest_stable_wall_has_a_root_on_the_circle_and_a_softer_one_none_outside(exported):
     form, function, slack = exported("max_stable_stiffness")
-    given = walls(form, 20)
+    given = walls(form, 10)
     if "gamma" in given:  # the domain of the export
         given["gamma"] = np.float32(np.minimum(given["gamma"], 8 / (given["d"] + 1) ** 2)) * 1.0
     alpha, beta, theta = map(np.ravel, function(*given.values()))

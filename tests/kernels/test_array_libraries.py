@@ -174,6 +174,7 @@ def stepped(traced, given):
     return [value(atom) for atom in traced.jaxpr.outvars]
 
 
+@pytest.mark.ci
 def test_jax_without_x64_stays_single():
     jax_numpy()
     jax = pytest.importorskip("jax")

@@ -27,7 +27,10 @@ def scene(velocity=None, **more):
 
 
 @pytest.mark.parametrize("single", [False, True], ids=["double", "single"])
-@pytest.mark.parametrize("name", VELOCITIES)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(n, marks=[pytest.mark.ci] * (i % 3 > 0)) for i, n in enumerate(VELOCITIES)],
+)
 def test_the_self_test_passes_and_notices(name, single, tmp_path):
     """With the strictest warnings; a tenth of a per cent more stiffness is noticed."""
     if shutil.which("cc") is None:

@@ -52,9 +52,13 @@ def test_its_roots_beside_eigenvalues(scene):
 
 def test_the_questions_that_it_answers_without_being_named_anywhere(scene):
     assert pytest.approx(scene.max_stable_stiffness()) == scene.stable_region().max_stiffness.K
-    assert scene.max_passive_stiffness() == pytest.approx(1000.0, rel=1e-12)
     assert scene.delay_margin(400.0, 1.0) > 0
     assert "notch at 80 Hz" in scene.describe()
     assert "notch at 80 Hz" in files(scene, 400.0, 1.0)["wall.h"]
     found = scene.simulate(400.0, 1.0, duration=0.5, position0=1e-3)
     assert abs(found.position[-50:]).max() < 0.2 * 1e-3
+
+
+@pytest.mark.ci  # 4 s: a sharp notch has a worst angle that is hard to enclose
+def test_its_stiffest_passive_wall(scene):
+    assert scene.max_passive_stiffness() == pytest.approx(1000.0, rel=1e-12)

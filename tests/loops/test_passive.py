@@ -69,7 +69,7 @@ def test_a_virtual_mass_is_passive_up_to_half_of_b_t():
 def test_the_stiffest_wall_is_the_largest_limit():
     engine = Engine(0.0, 0.5, 2.0, 1.0, 1.0, LowPass(weight=0.3))
     K, B, _ = engine.needs.stiffest(0.5)
-    others, _ = engine.needs.limits(np.linspace(*engine.needs.without_stiffness(0.5), 300), 0.5)
+    others, _ = engine.needs.limits(np.linspace(*engine.needs.without_stiffness(0.5), 40), 0.5)
     assert np.nanmax(others) <= K * (1 + 1e-12)
     assert engine.is_passive(np.array(K), np.array(B))
 

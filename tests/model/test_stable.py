@@ -77,7 +77,11 @@ def same_number(one, other):
 
 @pytest.mark.parametrize(
     "parts",
-    [pytest.param(FULL, marks=pytest.mark.slow), Parts(stiffness=False), Parts(damping=False)],
+    [
+        pytest.param(FULL, marks=pytest.mark.slow),
+        pytest.param(Parts(stiffness=False), marks=pytest.mark.ci),
+        Parts(damping=False),
+    ],
 )
 def test_mutants_are_not_equal(parts):
     tried, seen = 0, set()

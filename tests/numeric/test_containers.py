@@ -6,6 +6,7 @@ import sys
 
 import numpy as np
 import pytest
+from once import registry
 
 import symhaptic
 from symhaptic import (
@@ -152,7 +153,7 @@ def test_pandas_with_other_labels_is_refused():
 
 @each
 def test_pint_is_converted_to_plain_numbers(function):
-    unit = library("pint").UnitRegistry()
+    unit = registry()
     rows, expected, kind = some(function)
     given = [1000 * rows[0] * unit("mm/m"), *rows[1:]]
     for found, wanted in zip(listed(function(*given)), expected, strict=True):
@@ -162,7 +163,7 @@ def test_pint_is_converted_to_plain_numbers(function):
 
 
 def test_pint_of_another_dimension_is_refused():
-    unit = library("pint").UnitRegistry()
+    unit = registry()
     with pytest.raises(ValueError, match=r"^delay: .+ .*; give a number without dimension"):
         is_stable(0.1, 0.1, 0.0, 0.1, 1.5 * unit.ms)
     with pytest.raises(ValueError, match=r"^gamma: .+ .*; give a number without dimension"):
@@ -206,7 +207,7 @@ def test_none_of_these_libraries_is_loaded_for_plain_numbers():
 
 
 def test_formulas_as_functions_keep_labels_and_units():
-    xarray, unit = library("xarray"), library("pint").UnitRegistry()
+    xarray, unit = library("xarray"), registry()
     stiffest = symhaptic.lambdify("eq11")
     delay = xarray.DataArray([0.0, 1.0], dims="d")
     alpha, _, theta = stiffest(1.0, delay)

@@ -105,6 +105,7 @@ SLOPES = {
 }
 
 
+@pytest.mark.ci
 @pytest.mark.parametrize("name", SLOPES)
 def test_jax_differentiates_formulas_that_search(name):
     """The first result by each argument, beside differences of the function in NumPy."""
@@ -139,6 +140,7 @@ def test_jax_differentiates_the_formula_for_the_largest_passive_stiffness():
     assert edge == pytest.approx(float(symhaptic.passivity_boundary(1.0, 1.0, 1.0)[0]), rel=1e-12)
 
 
+@pytest.mark.ci
 def test_derivatives_in_jax_of_arrays_and_of_compiled_functions():
     jnp, jax = jax_numpy(), pytest.importorskip("jax")
     delta, function = np.array([0.01, 0.02, 0.03]), symhaptic.lambdify("max_stable_stiffness")

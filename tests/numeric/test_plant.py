@@ -51,10 +51,10 @@ REGIONS = {
 
 @pytest.mark.parametrize("name", REGIONS)
 def test_error(name):
-    """Relative to n1 + n0 and absolute for a; measured half as large, on 200 plants."""
+    """Relative to n1 + n0 and absolute for a; measured half as large, on 50 plants."""
     draw, top, trace = REGIONS[name]
     rng = np.random.default_rng(61)
-    n1, n0, a, e = worst([draw(rng) for _ in range(200)])
+    n1, n0, a, e = worst([draw(rng) for _ in range(50)])
     assert max(n1, n0) <= top
     assert a <= trace
     assert e <= 1.2e-16

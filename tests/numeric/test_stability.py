@@ -67,7 +67,7 @@ def test_principal_sheet_beside_the_roots_in_the_cut_plane():
     """Roots of the polynomial in z^(1/q) with |arg z| < pi, for delays in eighths and sevenths."""
     rng = np.random.default_rng(93)
     compared = 0
-    for _ in range(600):
+    for _ in range(150):
         delay = Fraction(int(rng.integers(0, 40)), int(rng.choice([7, 8])))
         if delay.denominator == 1:
             continue
@@ -80,7 +80,7 @@ def test_principal_sheet_beside_the_roots_in_the_cut_plane():
         compared += 1
         found = unstable_roots(alpha, beta, gamma, delta, float(delay), sheet="principal")
         assert int(found) == np.sum(sizes > 1), (alpha, beta, gamma, delta, delay)
-    assert compared > 300
+    assert compared > 75
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ FIGURE_7, FIGURE_9 = "s4d_figure7_undelayed", "s4d_figure9_delayed"
 def test_without_delay_the_spring_moves_the_curve_by_its_own_size():
     """Fig. 7: the chapter's two functions of x = cos(theta), and how far gamma moves them."""
     rng = np.random.default_rng(41)
-    cases = [(rng.uniform(0, 1e-3), rng.uniform(0, 0.02), rng.uniform(-0.02, 1)) for _ in range(40)]
+    cases = [(rng.uniform(0, 1e-3), rng.uniform(0, 0.02), rng.uniform(-0.02, 1)) for _ in range(8)]
     cases += [(1e-3, f, x) for f in (0.0, 0.02) for x in (-0.02, 0.3, 0.9, 0.9999)]
 
     def walls(gamma):

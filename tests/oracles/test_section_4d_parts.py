@@ -190,12 +190,12 @@ def test_with_the_same_damper_half_the_period_gives_less_than_four_times_the_sti
     # its digits are cut
     assert 0 <= 1 / oracle.numbers(0, mpmath.mpf("0.01"))[1] - damping < 1e-24
     assert oracle.stable(0.713, 33 / 40, 0, 0.02, 0)
-    assert not any(oracle.stable(0.713, beta, 0, 0.01, 0) for beta in np.linspace(-1, 3, 401))
+    assert not any(oracle.stable(0.713, beta, 0, 0.01, 0) for beta in np.linspace(-1, 3, 101))
     assert oracle.stable(1e-3, 2.02, 0, 0.02, 0)
     assert not any(oracle.stable(a, 2.02, 0, 0.01, 0) for a in np.geomspace(1e-8, 1, 200))
     # a spring of (23), and a quarter of it: half the period, or four times the mass
     assert oracle.stable(0.686, 0.8283, 0.00025, 0, 0)
-    betas = np.linspace(0.8, 0.86, 6001)
+    betas = np.linspace(0.8, 0.86, 1201)
     assert oracle.moduli(0.686, betas, 0.001, 0, 0).max(axis=-1).min() > 1.00005
     assert oracle.stable(-0.00095, 2.00006, 0.001, 0, 0)
     alphas = np.linspace(-0.00025, 0.01, 2001)

@@ -128,7 +128,7 @@ def test_without_a_spring_the_verdict_is_that_of_the_eigenvalues():
     """Also of walls that are as strong as the device at z = -1, of which none is stable."""
     rng = np.random.default_rng(72)
     found = [0, 0, 0]
-    for _ in range(1500):
+    for _ in range(300):
         d, delta = int(rng.integers(0, 6)), rng.choice([0.0, rng.uniform(0, 3), 30.0])
         alpha = rng.choice([1, 1, 0.05]) * rng.uniform(-0.3, 2) / (d + 1) ** 2 * (1 + delta)
         beta = rng.uniform(-1, 4) / (d + 1) * (1 + delta)
@@ -142,7 +142,7 @@ def test_without_a_spring_the_verdict_is_that_of_the_eigenvalues():
             assert max(number(quadratic, y=y, **given) for y in np.linspace(0.01, 3.99, 25)) < 0
             assert not stable
         else:
-            angles = np.linspace(1e-4, np.pi, 4001)
+            angles = np.linspace(1e-4, np.pi, 2001)
             sizes_ = np.array([abs(p) for p in loop.parts(angles)])
             (first, *_) = np.flatnonzero(sizes_[0] > sizes_[1] * sizes_[2])
             phase = np.sum(np.unwrap(np.angle(loop.parts(angles)), axis=1)
@@ -150,7 +150,7 @@ def test_without_a_spring_the_verdict_is_that_of_the_eigenvalues():
             if abs(phase[first] + np.pi) > 0.02:
                 assert stable == (alpha > 0 and phase[first] > -np.pi)
         found[0 if strong else 1 if stable else 2] += 1
-    assert min(found) > 20
+    assert min(found) > 5
 
 
 @guards("s4d_roots_delay_margin")

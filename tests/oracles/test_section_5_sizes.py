@@ -82,7 +82,7 @@ def counted(gamma, delta, delay, walls=160):
 def test_each_region_lies_between_its_polygons(delay):
     inner = np.array(areas.inner(delay), float)
     low = float(areas.area(areas.inner(delay)))
-    shares = RNG.dirichlet(np.ones(len(inner)), 500)
+    shares = RNG.dirichlet(np.ones(len(inner)), 100)
     assert (oracle.moduli(*(shares @ inner).T, 1e-3, 0.02, delay).max(axis=-1) < 1).all()
     assert low < AREAS[delay]
     assert counted(1e-3, 0.02, delay) == pytest.approx(AREAS[delay], rel=0.05)
@@ -90,10 +90,10 @@ def test_each_region_lies_between_its_polygons(delay):
         high = float(areas.area(areas.corners(areas.outer(delay))))
         assert AREAS[delay] < high < float(areas.area(areas.inner(delay - 1)))
         p, q, c = np.array(areas.outer(delay), float).T
-        alphas = RNG.uniform(-1e-3, 1.3 * inner[:, 0].max(), 4000)
-        betas = RNG.uniform(-0.06, 1.3 * inner[:, 1].max(), 4000)
+        alphas = RNG.uniform(-1e-3, 1.3 * inner[:, 0].max(), 1000)
+        betas = RNG.uniform(-0.06, 1.3 * inner[:, 1].max(), 1000)
         stable = oracle.moduli(alphas, betas, 1e-3, 0.02, delay).max(axis=-1) < 1
-        assert stable.sum() > 500
+        assert stable.sum() > 100
         assert (np.outer(alphas, p) + np.outer(betas, q) <= c)[stable].all()
 
 

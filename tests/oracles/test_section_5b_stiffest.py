@@ -95,7 +95,7 @@ def test_no_stable_wall_is_stiffer_than_the_first_arc(d):
         high = 1.9 * np.tan(np.pi / 4 / (d + 1))
         found, _ = stiffest(gamma, delta, d, 0.01, high, top=1.5 * most)
         assert found == pytest.approx(most, rel=1e-9)
-        for share, beta in zip(rng.uniform(1.001, 20, 100), rng.uniform(-2, 2, 100), strict=True):
+        for share, beta in zip(rng.uniform(1.001, 20, 20), rng.uniform(-2, 2, 20), strict=True):
             assert not oracle.stable(share * most, beta, gamma, delta, d)
 
 
@@ -104,9 +104,9 @@ def test_no_stable_wall_is_stiffer_than_the_first_arc(d):
 def test_with_a_long_delay_stiffer_walls_near_the_first_arc_are_unstable(d):
     rng = np.random.default_rng(57 + d)
     most = float(first_arc(1e-3, 0.02, d))
-    share, beta = rng.uniform(1.001, 3, 200), rng.uniform(-0.1, 0.1, 200)
+    share, beta = rng.uniform(1.001, 3, 40), rng.uniform(-0.1, 0.1, 40)
     assert oracle.moduli(share * most, beta, 1e-3, 0.02, d).max(axis=-1).min() > 1
-    stable = oracle.moduli(0.999 * most, np.linspace(-0.1, 0.1, 1601), 1e-3, 0.02, d)
+    stable = oracle.moduli(0.999 * most, np.linspace(-0.1, 0.1, 401), 1e-3, 0.02, d)
     assert stable.max(axis=-1).min() < 1
 
 

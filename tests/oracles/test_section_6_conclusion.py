@@ -129,7 +129,7 @@ def test_the_plant_for_which_damper_and_spring_matter():
     spring, d = points[0]["gamma"], int(points[0]["d"])
     assert all(p["gamma"] == spring < 1e-3 and p["d"] == d for p in points)
     assert [p["delta"] for p in points] == [0.02, 0]
-    betas = np.linspace(-0.03, 0.03, 601)
+    betas = np.linspace(-0.03, 0.03, 121)
 
     def least(alpha, gamma, delta):
         return oracle.moduli(alpha, betas, gamma, delta, d).max(axis=-1).min()

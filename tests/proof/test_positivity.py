@@ -170,7 +170,7 @@ def test_a_lemma_of_the_package_needs_no_search(monkeypatch):
     assert made().hypotheses == chords.width().hypotheses
 
 
-@pytest.mark.ci
+@pytest.mark.slow  # a stale entry costs a search, and proves nothing
 @pytest.mark.early
 def test_the_file_has_what_the_chapters_ask_for_and_nothing_else():
     """In a process of its own, in which no lemma is made before; and without a search."""

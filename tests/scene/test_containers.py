@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from once import registry
 
 from symhaptic import Scene, characteristic_polynomial, is_stable, lambdify, robust_region
 
@@ -46,7 +47,7 @@ def test_labels_and_laziness_come_back(method, kind):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_quantities_are_converted_and_come_back(method):
-    unit, xarray = library("pint").UnitRegistry(), library("xarray")
+    unit, xarray = registry(), library("xarray")
     wanted = getattr(SCENE, method)(K=WALLS, B=5.0)
     K, B = WALLS / 1000 * unit("N/mm"), 5.0 * unit("kg/s")
     inside = xarray.DataArray(K, dims="wall")
@@ -67,7 +68,7 @@ def test_quantities_are_converted_and_come_back(method):
 
 
 def test_the_boundary_at_a_frequency_has_units():
-    unit, xarray = library("pint").UnitRegistry(), library("xarray")
+    unit, xarray = registry(), library("xarray")
     K, B = SCENE.stability_boundary(100.0)
     for hz in (0.1 * unit("kHz"), 100.0 * unit("1/s")):
         stiffness, damping = SCENE.stability_boundary(hz)
@@ -81,7 +82,7 @@ def test_the_boundary_at_a_frequency_has_units():
 @pytest.mark.parametrize("name", ["rad/s", "rpm", "degree/s", "turn/s"])
 def test_a_frequency_with_an_angle_is_no_number_of_hertz(name):
     """Pint takes 1 rad/s for 1 Hz."""
-    unit = library("pint").UnitRegistry()
+    unit = registry()
     for rate in (100 * unit(name), [100.0] * unit(name)):
         with pytest.raises(ValueError, match=r"^frequency_hz: .* without an angle: 2 pi rad/s"):
             SCENE.stability_boundary(rate)
@@ -96,7 +97,7 @@ def test_one_number_in_a_container_is_that_number():
 
 def test_limits_at_many_dampings_keep_labels_units_and_laziness():
     pandas, xarray, dask = library("pandas"), library("xarray"), library("dask.array")
-    unit = library("pint").UnitRegistry()
+    unit = registry()
     B = np.array([0.0, 5.0])
     wanted = SCENE.limit_at(B)
     rows = SCENE.limit_at(pandas.Series(B, index=["a", "b"]))
@@ -114,7 +115,7 @@ def test_limits_at_many_dampings_keep_labels_units_and_laziness():
 @pytest.mark.parametrize("name", ["max_stable_stiffness", "max_passive_stiffness"])
 def test_the_stiffest_walls_of_many_dampings_keep_labels_units_and_laziness(name):
     pandas, xarray, dask = library("pandas"), library("xarray"), library("dask.array")
-    unit = library("pint").UnitRegistry()
+    unit = registry()
     asked, B = getattr(SCENE, name), np.array([0.0, 0.2])
     wanted = [[asked(b).K for b in B], B.tolist(), [asked(b).frequency_hz for b in B]]
     rows = asked(pandas.Series(B, index=["a", "b"]))
@@ -130,7 +131,7 @@ def test_the_stiffest_walls_of_many_dampings_keep_labels_units_and_laziness(name
 
 
 def test_a_bound_takes_units():
-    unit = library("pint").UnitRegistry()
+    unit = registry()
     arm = Scene(mass=1.0, damping=2.0, stiffness=50.0, sampling_period=1e-3, delay=1e-3)
     found = arm.simplest(0.01, damping=(0.0 * unit("N*s/m"), 20.0 * unit("kg/s")))
     assert str(found) == str(arm.simplest(0.01, damping=(0.0, 20.0)))

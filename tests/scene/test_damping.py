@@ -5,6 +5,7 @@ import pickle
 
 import numpy as np
 import pytest
+from once import registry
 
 from symhaptic import Arm, Scene
 
@@ -29,7 +30,7 @@ def some_scene(dice):
     return Scene(mass=mass, sampling_period=T, **parts)
 
 
-@pytest.mark.parametrize("case", range(40))
+@pytest.mark.parametrize("case", range(12))
 def test_every_damping_inside_is_stable_and_none_outside(case):
     dice = np.random.default_rng(case)
     scene = some_scene(dice)
@@ -47,13 +48,13 @@ def test_every_damping_inside_is_stable_and_none_outside(case):
         assert radius(scene, K, B) == pytest.approx(1, abs=1e-6)
 
 
-@pytest.mark.parametrize("case", range(12))
+@pytest.mark.parametrize("case", range(4))
 def test_no_other_damping_tolerates_more_delay(case):
     dice = np.random.default_rng(case)
     scene = some_scene(dice)
     K = scene.max_stable_stiffness() * dice.uniform(0.05, 0.95)
     found = scene.damping_for(K)
-    many = [np.linspace(low, high, 400)[1:-1] for low, high in found.intervals]
+    many = [np.linspace(low, high, 100)[1:-1] for low, high in found.intervals]
     margins = scene.delay_margin(K, np.concatenate(many))
     if np.isnan(margins).all():  # not stable without delay, so that none is computed
         ((low, high),) = found.intervals
@@ -122,7 +123,7 @@ def test_many_stiffnesses_are_those_of_each_and_keep_their_labels_and_units():
     assert FREE.damping_for(xarray.DataArray(K[0], dims="wall")).B.dims == ("wall",)
     pandas = pytest.importorskip("pandas")
     assert list(FREE.damping_for(pandas.Series(K[0], index=["a", "b"])).low.index) == ["a", "b"]
-    unit = pytest.importorskip("pint").UnitRegistry()
+    unit = registry()
     measured = FREE.damping_for(K[0] / 1000 * unit("N/mm"))
     for ours, theirs, name in zip(found, measured, ("N*s/m",) * 3 + ("s",), strict=True):
         assert theirs.to(name).magnitude == pytest.approx(ours[0])

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from once import registry
 
 from symhaptic import Arm, ArmRange, Scene
 
@@ -78,7 +79,7 @@ def test_a_picture_has_rotary_units():
 
 
 def test_quantities_of_pint_come_back_in_rotary_units():
-    unit = pytest.importorskip("pint").UnitRegistry()
+    unit = registry()
     made = Scene(
         inertia=1 * unit("g*cm**2") * 1000, damping=2e-3 * unit("N*m*s"),
         stiffness=0.05 * unit("N*m/rad"), sampling_rate=1 * unit.kHz, delay=1.5 * unit.ms,
@@ -96,12 +97,13 @@ def test_quantities_of_pint_come_back_in_rotary_units():
 
 
 def test_safe_walls_of_rotary_arms():
-    arms = ArmRange(inertia=(0, 1e-4), damping=(0, 1e-3), stiffness=(0, 0.01))
+    ends = {"damping": (1e-3, 1e-3), "stiffness": (0.01, 0.01)}
+    arms = ArmRange(inertia=(1e-4, 1e-4), **ends)
     knob, line = (
         Scene(**{name: 1e-4}, damping=2e-3, sampling_period=1e-3) for name in ("inertia", "mass")
     )
     safe = knob.safe_walls(arms)
-    alike = line.safe_walls(ArmRange(mass=(0, 1e-4), damping=(0, 1e-3), stiffness=(0, 0.01)))
+    alike = line.safe_walls(ArmRange(mass=(1e-4, 1e-4), **ends))
     assert safe.stiffest == alike.stiffest
     assert "N m/rad with B = " in str(safe)
     K = safe.stiffest[0] / 2

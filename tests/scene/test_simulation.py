@@ -74,18 +74,23 @@ VELOCITIES = [
 ]
 
 
-@pytest.mark.parametrize("velocity", VELOCITIES, ids=str)
+PARTS = [
+    {"delay_samples": 0.5},
+    {"actuator": Lag(time_constant=1e-3), "delay_samples": 1},
+    {"structure": SecondMass(mass=0.02, stiffness=2e4, damping=2.0, sensor="handle")},
+    {"integrator": "semi-implicit Euler", "delay_samples": 1},
+    {"integrator": "explicit Euler"},
+    {"virtual_mass": 0.01},
+]
+
+
 @pytest.mark.parametrize(
-    "more",
+    ("velocity", "more"),
     [
-        {"delay_samples": 0.5},
-        {"actuator": Lag(time_constant=1e-3), "delay_samples": 1},
-        {"structure": SecondMass(mass=0.02, stiffness=2e4, damping=2.0, sensor="handle")},
-        {"integrator": "semi-implicit Euler", "delay_samples": 1},
-        {"integrator": "explicit Euler"},
-        {"virtual_mass": 0.01},
+        pytest.param(velocity, more, marks=[] if i % len(PARTS) == j else pytest.mark.slow)
+        for i, velocity in enumerate(VELOCITIES)
+        for j, more in enumerate(PARTS)
     ],
-    ids=str,
 )
 def test_the_limits_are_where_the_motion_begins_to_grow(velocity, more):
     scene = Scene(mass=M, damping=D, sampling_period=T, velocity=velocity, **more)

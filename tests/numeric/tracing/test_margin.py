@@ -140,7 +140,7 @@ def test_the_margin_of_a_slow_creep_is_that_of_the_linear_rule():
 MANY_LEFT_OUT = [HealthCheck.filter_too_much]  # most walls have no margin, or an infinite one
 
 
-@settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=MANY_LEFT_OUT)
+@settings(max_examples=25, deadline=None, derandomize=True, suppress_health_check=MANY_LEFT_OUT)
 @given(
     st.floats(1e-4, 1), st.floats(-0.5, 2), st.floats(0, 9), st.floats(0, 2),
     st.sampled_from(["exact", "principal"]),
@@ -253,7 +253,9 @@ RECOVER = [  # lost for less than 1/32 of a period
 ]
 
 
-@pytest.mark.parametrize("loop", RECOVER)
+@pytest.mark.parametrize(
+    "loop", [pytest.param(r, marks=[pytest.mark.ci] * (i > 1)) for i, r in enumerate(RECOVER)]
+)
 def test_short_instabilities_are_where_a_fine_scan_has_them(loop):
     """At every 1/1024 up to two periods: the first lost one is the first behind the margin."""
     delays = np.arange(0, 2, 1 / 1024)
@@ -339,8 +341,8 @@ def test_the_first_whole_delay_that_is_lost_is_found_without_stepping_there(monk
     some = np.flatnonzero(fall.there & rise.there & (high < 0.9))
     size = high[some] * (1 + 10 ** rng.uniform(-10, -6, some.size))
     loops = alpha[some] * size, beta[some] * size, gamma[some], delta[some]
-    loops = np.array(loops)[:, is_stable(*loops, 0)][:, :150]
-    assert loops.shape[1] > 100
+    loops = np.array(loops)[:, is_stable(*loops, 0)][:, :50]
+    assert loops.shape[1] == 50
     passes, leaving = 0, Loops.leaving
 
     def counted(*args):
@@ -356,7 +358,7 @@ def test_the_first_whole_delay_that_is_lost_is_found_without_stepping_there(monk
     for one, first in zip(loops.T, found, strict=True):
         lost = ~is_stable(*one, steps)
         assert first == steps[lost.argmax()] if lost.any() else first >= 30_000
-    assert np.sum((found > 1000) & (found < 30_000)) > 10
+    assert np.sum((found > 1000) & (found < 30_000)) > 3
 
 
 TOUCHING = [  # plant and wall are nearly equal along a whole period, or at its node
@@ -540,7 +542,7 @@ def hardly_damped(rng, count):
     return np.array([alpha, beta, gamma, delta])[:, keep]
 
 
-@pytest.mark.parametrize(("seed", "count"), [(1, 60), pytest.param(2, 120, marks=pytest.mark.ci)])
+@pytest.mark.parametrize(("seed", "count"), [(1, 20), pytest.param(2, 120, marks=pytest.mark.ci)])
 def test_hardly_damped_devices_end_in_time_and_no_smaller_delay_is_unstable(
     seed, count, monkeypatch
 ):
