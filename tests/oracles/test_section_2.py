@@ -105,6 +105,6 @@ def test_a_late_force_has_moved_the_mass_at_the_next_sample():
         agrees,
         shown(
             "s2c_delay",
-            "A force that is late by less than a period already shows at the next sample",
+            "A force that is delayed by less than a period changes the next sample",
         ),
     )

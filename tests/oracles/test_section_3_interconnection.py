@@ -60,7 +60,7 @@ def test_what_two_systems_take_in_comes_from_outside():
         pairs = zip(force, speed, strict=True)
         assert sum(number(power, F=F, v=v) for F, v in pairs) == pytest.approx(taken, rel=1e-12)
 
-    only(agrees, shown(CHAPTER, "Two bodies face to face take in what comes from outside"))
+    only(agrees, shown(CHAPTER, "Two coupled systems receive only what comes from outside"))
 
 
 @guards("s3_interconnection")
@@ -92,7 +92,7 @@ def test_three_lags_in_a_loop_grow_and_a_pushed_mass_drifts():
             found = np.linalg.det(s * np.eye(3) - chain)
             assert complex(value(polynomial, s=s)) == pytest.approx(found, rel=1e-13)
 
-    only(agrees, shown(CHAPTER, "Three lags and a gain of 27 in a loop grow without end"))
+    only(agrees, shown(CHAPTER, "A loop of three lags with a gain of 27 is unstable"))
 
     def agrees_with_the_mass(drift):
         for t in (0.2, 70.0):

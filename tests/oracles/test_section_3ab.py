@@ -131,7 +131,7 @@ def test_half_a_period_late_the_condition_is_not_enough():
 
     only(
         agrees,
-        shown("s3a_passivity_condition", "The motion leaves damper and wall this energy"),
+        shown("s3a_passivity_condition", "Damper and wall receive this energy from the motion"),
         kept=("T",),
     )
 
@@ -211,7 +211,7 @@ def test_the_two_ends_of_the_margin():
     only(
         agrees,
         shown("s3b_rise", "At the lower end the margin is a line"),
-        shown("s3b_rise", "At $N\\psi=\\pi$ only the damping counts"),
+        shown("s3b_rise", r"At $N\psi=\pi$ the condition depends on $w$ only"),
     )
 
 

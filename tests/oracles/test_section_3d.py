@@ -118,7 +118,7 @@ def test_a_fraction_of_a_period_leaves_the_straight_part():
             at = {"K": K, "T": 1.0, "epsilon": part}
             assert number(low, **at) == pytest.approx(found, abs=1e-6)
 
-    only(agrees, shown(CHAPTER, "On the straight part of (7) low frequencies take out energy"))
+    only(agrees, shown(CHAPTER, "On the straight part of (7) low frequencies extract energy"))
     for K, late in walls[:4]:
         B = K * (late + 0.5) - 1
         assert energy.left(K, B, late=late) < -1e-4

@@ -180,11 +180,13 @@ def test_each_scene_has_the_eigenvalues_of_a_loop_without_that_part(parts):
 def test_devices_without_spring_or_damper():
     z, cases = 0.3 + 1.1j, []
     for title, gamma, delta in (
-        ("A free mass has four plain numbers", 0, 0),
-        ("A damped mass has one exponential", 0, 0.3),
+        ("The four coefficients of a free mass", 0, 0),
+        ("The coefficients of a damped mass contain one exponential", 0, 0.3),
     ):
         cases.append((title, gamma, delta, {"delta": delta}))
-    cases.append(("A mass on a spring has one cosine", 1.69, 0, {"Omega": 1.3}))
+    cases.append(
+        ("The coefficients of a mass on a spring contain one cosine", 1.69, 0, {"Omega": 1.3})
+    )
     for title, gamma, delta, at in cases:
         n1, n0, a, e = (complex(n) for n in oracle.numbers(gamma, delta))
         found = (n1 * z + n0) / (z**2 - a * z + e)
@@ -259,7 +261,7 @@ def test_a_force_that_is_not_held_and_one_that_is_half_a_period_late():
 
     titles = (
         "A force that grows in time, $F_E=t$, moves the mass by a sixth",
-        "A held force that comes $d$ periods late is not the shifted one",
+        "A held force with a fractional delay is not the shifted one",
     )
     only(agrees, *(shown("s4a_instants", title) for title in titles))
     point = counterexample("s4a_instants", "s4a-exact-instants")
@@ -302,7 +304,7 @@ def test_a_motion_changes_with_five_of_seven_directions():
         assert number(left) == changing
         assert number(rank) == len(names) - changing
 
-    titles = ("The units of the seven have rank two", "Five pure numbers are independent")
+    titles = ("The units of the seven have rank two", "Five dimensionless numbers are independent")
     only(agrees, *(shown("s4b_parameters_counted", title) for title in titles))
     units = np.array([row[1:] for row in powers[1:]], dtype=float)
     assert np.abs(units @ slopes).max() < 1e-6 * sizes[0]  # other units, the same motion

@@ -67,8 +67,8 @@ def test_roots_at_one_and_minus_one_and_the_free_mass():
     both = (
         shown("s4d_explicit_boundary", f"A root at {t}")
         for t in (
-            r"1 leaves on the line $\alpha=-\gamma$",
-            "$-1$ leaves on another line, here for even delays",
+            r"1 means $\alpha=-\gamma$",
+            "$-1$ means another line, here for even delays",
         )
     )
     only(agrees, *both)
@@ -91,9 +91,7 @@ def test_roots_at_one_and_minus_one_and_the_free_mass():
 
     only(
         agrees_slope,
-        shown(
-            "s4d_explicit_boundary", "At the origin damping over stiffness is the delay and a half"
-        ),
+        shown("s4d_explicit_boundary", r"At the origin $\beta/\alpha=d+\frac12$"),
     )
 
 
@@ -106,11 +104,11 @@ def short(gamma, delta):
     at["nu"], at["s_1"] = (
         value(shown(ENDS, t), **at)
         for t in (
-            r"The numerator's second number has a share $\nu$",
-            "At low frequencies the device shows the damping $s_1$",
+            r"The share $\nu$ of the second coefficient of the numerator",
+            "The low-frequency damping $s_1$ of the device",
         )
     )
-    at["s_2"] = value(shown(ENDS, "At low frequencies it shows the mass $s_2$"), **at)
+    at["s_2"] = value(shown(ENDS, "The low-frequency mass $s_2$ of the device"), **at)
     return at
 
 
@@ -134,8 +132,8 @@ def test_the_boundary_at_small_angles():
                 assert abs(over / across / value(slope, **at) - 1) < 1e-12
 
     titles = [
-        "The boundary starts on the left bound",
-        r"The boundary starts from the damping $-s_1-d\gamma$",
+        r"The boundary starts at $\alpha=-\gamma$",
+        r"The boundary starts at $\beta=-s_1-d\gamma$",
     ]
     titles += [
         "From its start the boundary goes to the right in the second order",
@@ -211,7 +209,7 @@ def test_the_boundary_without_damping():
             assert abs(value(stiffness, g=g, d=d, theta=theta) - alpha) < 1e-45
             assert abs(value(both, g=g, d=d, theta=theta) - alpha - 2 * beta) < 1e-45
 
-    titles = ["One function of the spring decides"]
+    titles = ["One function of the stiffness"]
     titles += [
         "The boundary of an undamped device has one stiffness at each angle",
         "The boundary's damping is given by a sine",
@@ -241,10 +239,10 @@ def test_both_ends_of_the_boundary_without_damping():
                 assert abs(found / value(line, x=x, d=d) - 1) < 1e-12
 
     titles = [
-        r"The boundary starts from the stiffness $-\gamma$",
-        r"The boundary starts from the damping $-(d+\frac12)\gamma$",
+        r"The boundary starts at $\alpha=-\gamma$",
+        r"The boundary starts at $\beta=-(d+\frac12)\gamma$",
         "From its start the boundary goes to the right in the second order",
-        "At its start the boundary is flatter than the line",
+        "The initial slope of the boundary is smaller than that of the line",
     ]
     titles.append("Stiffness and twice the damping approach a line")
     only(agrees, *(shown(UNDAMPED, title) for title in titles))
@@ -257,7 +255,7 @@ def test_both_ends_of_the_boundary_without_damping():
             assert abs(value(both, d=d, theta=theta) - (alpha + 2 * beta) / gamma) < 1e-45
 
     titles = (
-        "For odd half swings, $x=-1$, it stays finite",
+        r"For $x=-1$, $\Omega$ an odd multiple of $\pi$, it stays finite",
         "For $x=-1$ the damping stays finite, too",
     )
     only(agrees_at_half_swings, *(shown(UNDAMPED, title) for title in titles))
@@ -311,7 +309,7 @@ def test_what_the_signs_are_made_of():
             for ours, theirs in zip((surplus, mass), found, strict=True):
                 assert abs(value(ours, **at) - theirs) < 1e-30
 
-    half = "A device that swings by less than half a turn has"
+    half = r"A device with $\omega_dT<\pi$ has"
     titles = rf"{half} $s_1\ge\delta+\frac12\gamma$", f"{half} $s_2>0$"
     only(agrees, *(said(SIGNS, title).conclusion.terms[1] for title in titles))
     for gamma, delta in ((0.3, 0.2), (9.0, 0.05), (1.0, 4.0)):

@@ -43,8 +43,8 @@ def test_walls_between_the_two_ends_of_the_first_arc_are_stable_and_no_others():
         for d in (1, 0, 2, 5):
             stable_between(stiffness, both, d)
 
-    titles = ["On the boundary of a free mass the stiffness is a cosine"]
-    titles.append("On the boundary of a free mass stiffness and twice the damping are a sine")
+    titles = ["On the boundary of a free mass the stiffness is a multiple of a cosine"]
+    titles.append(r"On the boundary of a free mass $\alpha+2\beta$ is a multiple of a sine")
     only(agrees, *(shown(MASS, title) for title in titles), by=0.2)
     for d in (0, 1, 2, 5):
         assert not any(oracle.stable(-1e-3, beta, 0, 0, d) for beta in np.linspace(-2, 2, 21))
@@ -61,7 +61,7 @@ def test_how_the_two_roots_near_one_move():
         roots = [oracle.moduli(a, beta, 0, 0, 2).max() for a in (step, 2 * step)]
         assert (roots[1] - roots[0]) / step == pytest.approx(number(first, beta=beta), rel=1e-3)
 
-    titles = ("The first root follows", "The second root near 1 moves inside")
+    titles = ("The first root near 1 moves inside", "The second root near 1 moves inside")
     only(agrees, *(shown(MASS, title) for title in titles))
 
 

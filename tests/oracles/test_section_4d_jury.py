@@ -81,7 +81,9 @@ def test_the_four_inequalities_without_delay_are_those_of_the_eigenvalues():
 
 def four():
     """What is positive where a wall is stable without delay, as the chapter says."""
-    claim = said(COUNTED, "Without delay four inequalities say which walls are stable").conclusion
+    claim = said(
+        COUNTED, "Without delay a wall is stable if and only if four inequalities hold"
+    ).conclusion
     return [right - left for left, right in (part.terms for part in claim.of[1].parts)]
 
 

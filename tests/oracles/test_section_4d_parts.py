@@ -46,9 +46,9 @@ def test_the_polynomial_at_one_and_the_sum_of_the_plants_numbers():
         assert abs(value(alone, delta=0.7) - found) < 1e-45
 
     titles = (
-        "An overdamped device has a positive sum",
-        "A swinging device has a positive sum",
-        "Without a spring the sum is positive",
+        "For an overdamped device $n_1+n_0>0$",
+        "For an underdamped device $n_1+n_0>0$",
+        "Without a spring $n_1+n_0>0$",
     )
     only(agrees_in_sum, *(shown(LEFT, title) for title in titles))
 

@@ -114,10 +114,10 @@ def test_without_a_spring_one_quadratic_says_which_part_is_larger():
             assert number(bend, **at) == pytest.approx(16 * square - found[0], abs=1e-8)
 
     titles = (
-        "What the plant has over the wall is a quadratic",
-        "At $z=1$ the wall leads",
-        "At $z=-1$ both are real",
-        "The quadratic is bent less than the lead at $z=1$ allows",
+        "The surplus $|A|^2-|NW|^2$ of the plant is a quadratic",
+        "At $z=1$ the wall dominates",
+        "At $z=-1$ both terms are real",
+        "The curvature of the quadratic is bounded by its value at $z=1$",
         "The real part of $A/z$ is negative",
     )
     only(agrees, *(shown(FREE, title) for title in titles))
@@ -138,7 +138,7 @@ def test_without_a_spring_the_verdict_is_that_of_the_eigenvalues():
         stable = oracle.stable(alpha, beta, 0.0, delta, d)
         if strong:
             given = {**loop.plant, **loop.wall}
-            quadratic = shown(FREE, "What the plant has over the wall is a quadratic")
+            quadratic = shown(FREE, "The surplus $|A|^2-|NW|^2$ of the plant is a quadratic")
             assert max(number(quadratic, y=y, **given) for y in np.linspace(0.01, 3.99, 25)) < 0
             assert not stable
         else:

@@ -35,7 +35,7 @@ def test_hurwitz_determinant_is_the_product_of_sums_of_roots():
                 at = {"m": m, "b": b, "k": k, "K": K, "B": B, "t_e": t_e}
                 assert number(determinant, **at) == pytest.approx(found, rel=1e-9)
 
-    only(agrees, shown(LAG, "For this loop Hurwitz' determinant is (24) and a term more"))
+    only(agrees, shown(LAG, "For this loop Hurwitz' determinant is (24) plus one term"))
 
 
 @guards("s4e_lag")
@@ -51,8 +51,8 @@ def test_what_hold_and_difference_are_beside_lag_and_derivative():
 
     only(
         agrees,
-        shown(LAG, "The lag errs in the second order"),
-        shown(LAG, "The derivative errs in the second order by half a period"),
+        shown(LAG, "The error of the lag is of second order"),
+        shown(LAG, "The error of the derivative is of second order"),
     )
 
 
@@ -114,7 +114,7 @@ def test_the_boundary_beside_the_line_at_its_start_and_for_short_periods():
     only(
         agrees,
         shown(LINE, "At the start of the boundary"),
-        shown(LINE, "From there on the boundary is flatter than the line"),
+        shown(LINE, "The initial slope of the boundary is smaller than that of the line"),
     )
 
     def agrees_at_the_crossing(crossing):
@@ -132,7 +132,7 @@ def test_the_boundary_beside_the_line_at_its_start_and_for_short_periods():
             alpha = oracle.wall(angle, delta**2, delta, d, 90)[0]
             assert abs(value(crossing, delta=delta, d=d) / alpha - 1) < 1e-5
 
-    title = "In short periods the boundary crosses the line at one stiffness"
+    title = "For short periods the boundary crosses the line at one stiffness"
     only(agrees_at_the_crossing, shown(LINE, title))
 
 
@@ -166,9 +166,9 @@ def test_the_error_along_the_boundary_and_at_its_start():
 
     titles = [
         "The relative error compares stiffnesses at the same $\\beta$",
-        "The error is the surplus over the line, per $(d+\\frac12)(\\alpha+\\gamma)$",
+        r"The error is $\Delta/((d+\frac12)(\alpha+\gamma))$",
     ]
-    titles.append("Of a free mass the error is a quotient of sines")
+    titles.append("For a free mass the error is a quotient of sines")
     only(agrees, *(shown("s4e_line_error", title) for title in titles))
 
     def agrees_at_the_start(bare, undamped):
@@ -181,8 +181,8 @@ def test_the_error_along_the_boundary_and_at_its_start():
             assert abs(error(small, gamma, 0, d)[0] - ours) < 1e-15
 
     titles = (
-        r"Without a spring the error starts from a quotient in $\delta$",
-        "Without damping the error starts from a negative number",
+        r"Without a spring the initial error is a quotient in $\delta$",
+        "Without damping the initial error is negative",
     )
     only(agrees_at_the_start, *(shown("s4e_line_error_start", title) for title in titles))
     for gamma, delta in ((mpmath.mpf(2), mpmath.mpf("0.5")), (mpmath.mpf("0.001"), 0.02)):
@@ -256,7 +256,7 @@ def test_walls_of_the_linear_condition_below_the_crossing_are_stable(d):
             found = crossing(1e-12, delta, d) * (d + 0.5) - delta
             assert number(damping, delta=delta, d=d) == pytest.approx(found, rel=1e-3)
 
-    title = "For short periods the line crosses at a share of $\\delta$"
+    title = r"For short periods the crossing is at a multiple of $\delta$"
     kept = () if d else ("d",)
     only(agrees, shown("s4e_line_unstable_below", title), by=0.05, kept=kept)
 
@@ -377,7 +377,7 @@ def test_low_frequencies_are_what_the_linear_condition_sees():
 
     only(
         agrees,
-        shown("s4e_line_passive", "At low frequencies (9) is what passivity asks for"),
+        shown("s4e_line_passive", r"The limit of (5) for $\omega\to0$ is (9)"),
         kept=("T",),
     )
     # K = T = 1, B = d = 0: b_D + b_H = 1 is more than K T/2, the device's own 0.01 is not enough
@@ -405,7 +405,7 @@ def test_physical_damping_is_worth_more_than_virtual_damping():
             ours = value(worth, alpha=alpha, d=d)
             assert abs((found - 1) / (ours - 1) - 1) < 1e-4
 
-    title = "A unit of physical damping saves more than one of virtual damping"
+    title = "A unit of physical damping replaces more than one unit of virtual damping"
     only(agrees, shown("s4e_line_trade", title))
     virtual = counterexample("s4e_line_trade", "s6-linear-dissipation")
     assert not oracle.stable(*(virtual[n] for n in ("alpha", "beta", "gamma", "delta", "d")))

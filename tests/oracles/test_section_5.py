@@ -32,7 +32,10 @@ def test_at_the_angle_of_a_root_passivity_wants_more_than_the_damper():
             assert ours > delta
 
     only(
-        agrees, shown("s5a_figure", "At the root's own angle the wall needs $\\Re\\{A/((z-1)N)\\}$")
+        agrees,
+        shown(
+            "s5a_figure", r"At the angle of the root the required damping is $\Re\{A/((z-1)N)\}$"
+        ),
     )
 
 
@@ -81,7 +84,7 @@ def test_a_pulling_wall_runs_away_and_the_need_is_proportional():
 
     only(
         agrees,
-        shown("s5a_passive_is_robust", "The damping that is needed is proportional to the wall"),
+        shown("s5a_passive_is_robust", "The required damping is proportional to the wall"),
     )
 
 
@@ -102,7 +105,7 @@ def test_the_tips_of_both_regions():
                 assert number(passive, alpha=0.8, theta=theta) == pytest.approx(wanted, rel=1e-12)
 
     titles = (
-        "At $(d+1)\\theta=\\frac\\pi2$ passivity needs this damping",
+        r"At $(d+1)\theta=\frac\pi2$ the required damping does not contain $\beta$",
         "The stability boundary has this stiffness there",
     )
     only(agrees, *(shown(TIP, title) for title in titles))
@@ -116,7 +119,7 @@ def test_the_tips_of_both_regions():
 
     only(
         agrees_at_low_angles,
-        shown(TIP, "Without a spring the bound exceeds that of the damper in the second order"),
+        shown(TIP, "Without a spring the bound exceeds that of passivity in the second order"),
     )
 
 
@@ -133,7 +136,7 @@ def test_long_delays_and_a_wall_that_no_delay_destabilises():
     only(
         agrees,
         shown(TIP, "Without a spring the stiffness falls with a long delay like its inverse"),
-        shown(TIP, "The stiffest passive wall falls like the inverse of the delay"),
+        shown(TIP, "The passive wall of maximum stiffness falls like the inverse of the delay"),
     )
     phi = np.linspace(0, np.pi, 100_001)
     assert (phi * np.sin(phi)).max() == pytest.approx(1.8197, abs=5e-5)
@@ -240,7 +243,7 @@ def test_what_zeros_inside_have_to_outpace_at_the_angle_of_the_device():
 
     only(
         agrees,
-        shown("s5c_robust", "At the device's own angle $\\theta=\\Omega$ two terms are left"),
+        shown("s5c_robust", r"At the angle $\theta=\Omega$ of the device two terms remain"),
     )
 
 
@@ -260,7 +263,7 @@ def test_how_far_a_weak_wall_pulls_the_roots_out():
             at = {"alpha": 0.8, "beta": -0.3, "d": d, "theta": swing, "n_1": n1}
             assert abs((abs(root) - 1) / weak - value(pull, **at)) < 1e-12
 
-    only(agrees, shown("s5c_robust_figure", "How far the wall pulls a root out"))
+    only(agrees, shown("s5c_robust_figure", "The distance by which the wall moves a root outwards"))
 
 
 @guards("s5c_robust_figure")

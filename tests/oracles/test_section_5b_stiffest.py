@@ -82,7 +82,7 @@ def test_what_the_wall_is_half_a_period_earlier():
             turned *= mpmath.expj(-theta / 2)
             assert abs(value(wall, theta=theta, alpha=0.4, beta=-0.7) - turned) < 1e-40
 
-    title = "Half a period earlier the wall has its stiffness in the real part"
+    title = "The real part of $z^{-1/2}W$ contains the stiffness only"
     only(agrees, shown(WALL, title))
 
 

@@ -52,7 +52,7 @@ def test_the_share_of_the_damping():
             found = half_swing(1.0, delta, 1.0) / half_swing(1.0, 0.0, 1.0) - 1
             assert number(share, delta=delta) == pytest.approx(found, rel=1e-7)
 
-    share = shown(NUMBERS, "The damping has a share that only $\\delta$ decides")
+    share = shown(NUMBERS, r"The contribution of the damping depends only on $\delta$")
     only(agrees, share)
     assert number(share, delta=0.02) < 1.02e-5
 
@@ -142,8 +142,8 @@ def test_the_three_sides_of_the_triangle():
         *(
             shown(REGION, t)
             for t in (
-                "The rest is positive at 1 for $\\alpha>-\\gamma$",
-                "The rest at $-1$ bounds $\\alpha+2\\beta$",
+                r"The quadratic is positive at 1 for $\alpha>-\gamma$",
+                r"The quadratic at $-1$ bounds $\alpha+2\beta$",
                 "The product of the other zeros bounds $\\beta$",
             )
         ),

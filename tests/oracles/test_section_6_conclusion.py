@@ -52,7 +52,7 @@ def test_what_faster_sampling_gains_at_the_same_delay():
 
     titles = (
         "With $T=t_d/d$ the stiffness (11) is a number over the delay",
-        r"With endlessly fast sampling $K_{\max}t_d/b$ tends to $\pi/2$",
+        r"For $T\to0$ the passive limit $K_{\max}t_d/b$ tends to $\pi/2$",
     )
     only(agrees, *(shown("s6_gains", title) for title in titles))
     late = 10**8  # endlessly fast to 1e-16

@@ -127,8 +127,8 @@ def test_the_polynomial_and_the_wall_that_a_root_needs():
                 assert complex(value(wanted, z=z, **at)) == pytest.approx(found, rel=1e-10)
 
     titles = (
-        "The loop has the polynomial of the late device and the wall",
-        "A root asks for one wall",
+        "The characteristic polynomial with a fractional delay",
+        "A root determines one wall",
     )
     only(agrees, *(shown("s6b_fractional_stability", title) for title in titles))
 
@@ -156,7 +156,7 @@ def test_ends_and_sizes_of_the_fractional_polynomial():
         "The size of $M$ does not contain the delay either",
         "The size of the wall $W=(\\alpha+\\beta)z-\\beta$ is linear in $\\cos\\theta$",
     ]
-    at_one = said("s6b_fractional_stability", "There is a root at 1 on the left bound only")
+    at_one = said("s6b_fractional_stability", r"A root at 1 means $\alpha=-\gamma$")
     only(
         agrees,
         at_one.conclusion.terms[1],
@@ -224,9 +224,9 @@ def test_exact_and_printed_walls_of_a_root():
 
     titles = (
         "For every fraction $M$ is larger than $N$",
-        "Half a period late the true wall is the smaller one",
-        "Half a period late both have one phase",
-        "Their phases part with the third power of the angle",
+        "With a delay of half a period the exact boundary has the smaller wall",
+        "With a delay of half a period both have the same phase",
+        "Their phases differ by the third power of the angle",
     )
     only(agrees, *(shown(HALF, title) for title in titles))
 
@@ -280,7 +280,7 @@ def test_a_term_between_both_polynomials_and_the_rise_of_a_phase():
             found = (top[0] * z**2 + top[1] * z + top[2] - 0.25 * (root - 1) ** 4 / 8) / z
             assert abs(value(share, theta=theta, q=0.25) - found) < 1e-14
 
-    only(weaker, shown(HALF, "On the circle the term makes the wall a little weaker"))
+    only(weaker, shown(HALF, "On the circle the term reduces the wall slightly"))
 
     def rises(rate):
         for whole, theta in ((0, mpmath.mpf("0.9")), (2, mpmath.mpf("0.35"))):
@@ -292,7 +292,7 @@ def test_a_term_between_both_polynomials_and_the_rise_of_a_phase():
             found = mpmath.arg(later / sooner) / mpmath.mpf("2e-20")
             assert abs(value(rate, l=whole, theta=theta) - found) < 1e-30
 
-    only(rises, shown(HALF, "On the boundary the phase of the wall rises by less"))
+    only(rises, shown(HALF, "On the boundary the phase of the wall increases more slowly"))
 
 
 LETTER, READ = "s6h_fractional_letter", "s6h_fractional_readings"
@@ -311,8 +311,8 @@ def test_to_the_letter_no_wall_is_stable_beyond_the_spring():
             assert number(at_minus_one, **at) == pytest.approx(np.prod(-1 - w).real, abs=1e-12)
 
     titles = (
-        "At $\\zeta=1$ the polynomial has the wall added to the spring",
-        "At $\\zeta=-1$ the polynomial has the spring taken from the wall, for even $q$",
+        r"At $\zeta=1$ the polynomial is a multiple of $\gamma+\alpha$",
+        r"At $\zeta=-1$ the polynomial is a multiple of $\alpha-\gamma$, for even $q$",
     )
     only(agrees, *(said(LETTER, title).conclusion.terms[1] for title in titles))
     rng = np.random.default_rng(95)
@@ -341,8 +341,8 @@ def test_a_stiff_spring_is_read_wrongly_on_the_principal_sheet():
 
     only(
         agrees,
-        shown(READ, "The true polynomial has four roots"),
-        shown(READ, "The true one has a root at $-1$ on a line"),
+        shown(READ, "The exact polynomial has four roots"),
+        shown(READ, "The exact polynomial has a root at $-1$ on a line"),
     )
     for x, y, stable in ((-3 / 4, -2 / 4, False), (3 / 8, -5 / 8, True)):
         assert oracle.stable(x * gamma, y * gamma, gamma, 0, 0.5) == stable

@@ -83,7 +83,7 @@ def test_low_frequencies_bend_the_lower_part():
             assert energy.left(0.99 * K, B, late=late) > -1e-12
             assert energy.left(1.04 * K, B, late=late) < 0
 
-    low = shown(REGION, "At low frequencies it is a condition like (9) with a term more")
+    low = shown(REGION, "At low frequencies it is (9) with one more term")
     only(agrees, low)
     # half a period late, B = 0: 0.944 b in place of the paper's 1
     at = {"B": 0, "b": 1, "T": 1, "l": 0, "epsilon": 0.5}
@@ -105,7 +105,7 @@ def test_without_stiffness_the_damping_ends_at_minus_b_and_above_b():
             found = energy.determinant(0, 1, late, theta)
             assert number(upper, **at) == pytest.approx(found, abs=1e-13)
 
-    titles = ("The damping $-b$ is passive", "The damping $b$ is passive, with room to spare")
+    titles = ("The damping $-b$ is passive", "The damping $b$ is passive, with a positive margin")
     only(agrees, *(shown(REGION, title) for title in titles))
     # the ends that the theorem names: one that is passive, one beyond which none is
     for late in LATES:
@@ -197,7 +197,7 @@ def test_no_motion_lets_a_passive_wall_be_stiffer_than_an_angle_allows():
             found = number(slope, theta=theta, **at) / np.sin(theta) ** 2
             assert found == pytest.approx((near[1] - near[0]) / 2e-5, rel=1e-6)
 
-    titles = ("Both means leave from 1 what the fraction turns",
+    titles = (r"The squares of both means add up to $1-4\kappa\sin^2\psi$",
               "The slope of the bound has the sign of a sum")  # fmt: skip
     only(turns, *(shown(WALLS, title) for title in titles))
 
@@ -233,7 +233,7 @@ def test_walls_that_are_passive_at_the_next_whole_delay_are_passive_before():
                 assert ours == pytest.approx(found, abs=1e-13)
 
     titles = (
-        "The next whole delay needs one sine",
-        "The exact condition is between two sines, and a term more",
+        "The condition of the next integer delay contains one sine",
+        "The exact condition contains two sines and one more term",
     )
     only(agrees, *(shown("s6g_next_whole_delay", title) for title in titles))

@@ -71,11 +71,11 @@ def late(gamma, delta, part):
 
 
 DEFINED = {
-    "A function is the way under a force that is held for a period": 0,
-    "A function is the way that this force leaves for the period after it": 1,
-    "A function is the sum of the poles of the sampled device": 2,
-    "A function is what both ways are together": 7,
-    "A function is the denominator at $z=-1$": 5,
+    "The displacement under a force that is held for a period": 0,
+    "The further displacement in the next period": 1,
+    "The sum of the poles of the sampled device": 2,
+    "The sum of both displacements": 7,
+    "The denominator at $z=-1$": 5,
 }
 
 
