@@ -15,7 +15,7 @@ from setuptools.command.build_py import build_py
 
 HERE = Path(__file__).parent
 KERNELS = "src/symhaptic/kernels"
-LIBRARIES = "haptic", "haptic_single"
+SOURCES = "ufuncs.cpp", "filter.cpp", "haptic.c", "haptic_single.c"
 
 
 RECORDS = ("ledger.json", "rocq.json", "mutants.json", "bench.json")
@@ -76,8 +76,8 @@ setup(
     ext_modules=[
         Extension(
             "symhaptic.kernels._compiled",
-            sources=[f"{KERNELS}/ufuncs.cpp", *(f"{KERNELS}/{name}.c" for name in LIBRARIES)],
-            depends=[f"{KERNELS}/table.h"],
+            sources=[f"{KERNELS}/{name}" for name in SOURCES],
+            depends=[f"{KERNELS}/{name}" for name in ("haptic.c", "table.h", "filter.h")],
             include_dirs=[numpy.get_include()],
             optional=True,
         ),

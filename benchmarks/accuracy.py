@@ -9,8 +9,8 @@ python benchmarks/accuracy.py [OPTIONS] [POINTS] [SEED] [double|single] [FUNCTIO
 
 import sys
 
+from symhaptic.balls.exact import EXACT
 from symhaptic.bench.error import climb, measure
-from symhaptic.bench.exact import EXACT
 from symhaptic.bench.exported import GCC, MUSL
 from symhaptic.export import request
 from symhaptic.export.precision import PRECISIONS

@@ -76,7 +76,7 @@ def derive(page):
     exact = T**2 / m * device.transfer
     (form,) = read(CORRECTED)
     page.step(
-        "The discrete equivalent is the printed one with a factor $m/T$",
+        "The discrete equivalent is the published one with a factor $m/T$",
         exact,
         form,
         name=function("P")(z),

@@ -11,20 +11,11 @@ import pytest
 from docutils import nodes
 from flint import arb
 
-from symhaptic.bench import (
-    error,
-    functions,
-    measuring,
-    models,
-    peers,
-    timing,
-    tracing,
-    verdicts,
-    winding,
-)
+from symhaptic.balls import winding
+from symhaptic.balls.exact import EXACT
+from symhaptic.bench import error, functions, measuring, models, peers, timing, tracing, verdicts
 from symhaptic.bench.error import errors as exported_errors
 from symhaptic.bench.error import suspects
-from symhaptic.bench.exact import EXACT
 from symhaptic.bench.functions import Effort, WrongExact, chosen, confirm, errors
 from symhaptic.bench.printed import expressions, function, swings
 from symhaptic.book.chapters import expected_bench
@@ -305,4 +296,46 @@ def test_plots_and_tables_are_written(tiny, tmp_path):
     assert {"bench.json", "bench.md"} < names
     for format in FORMATS:
         assert f"bench_functions.{format}" in names
-    assert "Functions in double precision." in measurement(tmp_path / "bench.json").astext()
+    shown = measurement(tmp_path / "bench.json")
+    assert "Functions in double precision." in shown.astext()
+    assert measurement(tmp_path / "none.json") is None
+
+
+# -- the page ------------------------------------------------------------------------------
+
+
+def test_the_page_shows_the_committed_record():
+    from symhaptic.book.chapters import beside
+    from symhaptic.book.measured.page import renewed
+
+    page = (beside("docs") / "speed.md").read_text(encoding="utf-8")
+    assert renewed(page, record.read(expected_bench())) == page
+
+
+def test_the_call_for_an_error_is_the_fastest_that_keeps_it():
+    row = {"function": "f", "missing": 0, "last": 1.0, "way": "C", "precision": "float64"}
+    slow = {"way": "package", "precision": "50 digits", "last": 1e-49}
+    rows = [
+        {**row, **own, "set": which, "seconds": seconds, "worst": worst}
+        for which in ("ordinary", "hard")
+        for own, seconds, worst in (({}, 1e-7, 1e-15), (slow, 1e-4, 1e-3))
+    ]
+    (cells,) = tables.calls(rows).rows
+    assert cells == ("f", "exported C: 100 ns", "exported C: 100 ns", "digits=50: 100 us",
+                     "digits=50: 100 us")  # fmt: skip
+    rows[-2]["missing"] = 0.1
+    assert tables.calls(rows).rows[0][1] == "digits=50: 100 us"
+    assert tables.calls(rows[:1]).rows[0][3] == "-"
+
+
+def test_the_call_for_a_distance_judges_all_and_rightly():
+    good, open_ = {"0.1": 0.0, "1e-14": 0.0}, {"0.1": 0.0, "1e-14": 0.2}
+    rows = [
+        {"delay": 0, "method": "counted", "wrong": good, "open": open_, "near": {"0.1": 1e-7}},
+        {"delay": 0, "method": "certified", "wrong": good, "open": good,
+         "near": {"0.1": 2e-7, "1e-14": 1e-4}},
+    ]  # fmt: skip
+    assert tables.judges(rows).rows == (
+        ("1e-1", "is_stable", "100 ns"),
+        ("1e-14", "is_stable, certified=True", "100 us"),
+    )

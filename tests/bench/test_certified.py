@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 from flint import acb_poly, arb
 
-from symhaptic.bench import implicit, verdicts, winding
-from symhaptic.bench.closed import delayed, device
-from symhaptic.bench.exact import EXACT
+from symhaptic.balls import implicit, winding
+from symhaptic.balls.closed import delayed, device
+from symhaptic.balls.exact import EXACT
+from symhaptic.bench import verdicts
 
 HARD = [
     # nearly undamped, next to 9 half swings in a period

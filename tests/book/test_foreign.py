@@ -24,7 +24,7 @@ def recorded(tmp_path, monkeypatch):
     path = tmp_path / "rocq.json"
     whole = {
         "checked": "whole", "why": None, "says": mark(settled[ID].settlement.judged),
-        "rests": ["stored", "passive_wall", foreign.REALS],
+        "rests": ["stored", foreign.REALS, foreign.EXCLUDED],
     }  # fmt: skip
     leaves = {
         **whole, "checked": "leaves", "why": "2 steps open: coqc: x_1 & {y}^2 ~ \\z",
@@ -52,21 +52,16 @@ def test_a_mark_is_of_what_is_said_however_its_terms_are_ordered():
 def test_the_book_says_on_what_a_whole_statement_rests(recorded):
     text = chapter_tex(chapter(NAME), 1)
     wanted = (
-        r"\emph{Rocq:} whole, by \byrule{stored}{stored energy}, the meaning of passive wall, "
-        "the axioms of the reals"
+        r"\emph{Rocq:} whole, by \byrule{stored}{stored energy}, the axioms of the reals, "
+        "excluded middle"
     )
     assert wanted in text
     assert r"\emph{Rocq:} in part (2 steps open" in text
 
 
-def test_of_what_rests_on_the_library_alone_no_meaning_is_told():
-    assert foreign.Checked("whole", None, (foreign.REALS,)).others == [foreign.REALS]
-    assert foreign.Checked("whole", None, ("stable",)).others == ["the meaning of stable"]
-
-
 def test_the_site_says_it_too_with_the_reason(recorded):
     text = trees([(1, chapter(NAME))], whole=False)[NAME].astext()
-    assert "Rocq: whole, by stored energy, the meaning of passive wall" in text
+    assert "Rocq: whole, by stored energy, the axioms of the reals, excluded middle" in text
     assert "Rocq: in part (2 steps open" in text
     entries = ledger.of_chapter(chapter(NAME))
     page = pages.ledger(entries, {}).astext()
@@ -90,7 +85,7 @@ def test_the_ledger_of_verify_tells_it(recorded):
         for one in json.loads(listing.json_text(entries, [], False))["statements"]
     }
     assert found[ID] == {
-        "checked": "whole", "why": None, "rests": ["stored", "passive_wall", foreign.REALS]
+        "checked": "whole", "why": None, "rests": ["stored", foreign.REALS, foreign.EXCLUDED]
     }  # fmt: skip
     assert found[OTHER]["checked"] == "leaves"
     assert '<property name="rocq" value="whole" />' in listing.junit(entries, [], False)

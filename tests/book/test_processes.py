@@ -42,13 +42,14 @@ if __name__ == "__main__":
 """
 
 DRAWN = """
-import sys
+import sys, tempfile
 from symhaptic.book import processes
 
-with processes.folder(), processes.program(
-    ["sh", "-c", "sleep 98765 & touch $0/begun; sleep 98765", sys.argv[1]]
-) as program:
-    program.communicate()
+with processes.temporary(), processes.folder(), tempfile.TemporaryDirectory():
+    with processes.program(
+        ["sh", "-c", "sleep 98765 & touch $0/begun; sleep 98765", sys.argv[1]]
+    ) as program:
+        program.communicate()
 """
 
 KINDS = {

@@ -5,7 +5,8 @@ from fractions import Fraction
 import pytest
 from flint import arb, ctx
 
-from symhaptic.bounds.balls import TooMany, exact, narrowed, pieces, sinc
+from symhaptic.balls.zeros import narrowed
+from symhaptic.bounds.balls import TooMany, exact, pieces, sinc
 
 
 def wave(x):

@@ -169,7 +169,7 @@ LONG = 300 * "x"
         ["verify", "--derivation", LONG],
         ["verify", "--source", LONG],
         ["verify", f"--source={LONG}"],
-        ["export", "--target", "c", "-o", LONG],
+        ["export", "linear_limit", "--target", "c", "-o", LONG],
         ["check", "--formula", "eq11", "--python", "math:sin", "-o", LONG],
         ["check", "--formula", "eq11", "--library", f"{LONG}:f"],
         ["check", "--formula", "eq11", "--command", LONG],

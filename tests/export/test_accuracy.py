@@ -13,8 +13,9 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from symhaptic.bench import closed, error, exported, implicit
-from symhaptic.bench.exact import EXACT
+from symhaptic.balls import closed, implicit
+from symhaptic.balls.exact import EXACT
+from symhaptic.bench import error, exported
 from symhaptic.bench.points import columns, leaving_pi
 from symhaptic.export import library, request
 from symhaptic.export.accuracy import (

@@ -53,6 +53,48 @@ def test_the_self_test_passes_and_notices(name, single, tmp_path):
     assert not passes()
 
 
+@pytest.mark.parametrize("single", [False, True], ids=["double", "single"])
+def test_a_position_that_is_not_finite_leaves_no_trace(single, tmp_path):
+    """Otherwise NaN stays in the filter, and the wall is gone for ever."""
+    if shutil.which("cc") is None:
+        pytest.skip("no C compiler: cc is not found")
+    for file, text in files(scene(LowPass(cutoff=60)), 500.0, 1.5, single).items():
+        (tmp_path / file).write_text(text)
+    real = "float" if single else "double"
+    (tmp_path / "play.c").write_text(
+        f"""#include <math.h>
+#include "wall.h"
+int main(void)
+{{
+    {real} bad[] = {{({real})NAN, ({real})INFINITY, -({real})INFINITY}};
+    wall_state a, b;
+    int n, wrong = 0;
+    wall_begin(&a, 0);
+    wall_begin(&b, bad[0]);
+    for (n = 0; n < 30; n++) {{
+        {real} x = ({real})(n + 1) / 1000;
+        wrong |= n % 7 == 3 && wall(&b, bad[n % 3]) != 0;
+        wrong |= wall(&a, x) != wall(&b, x);
+    }}
+    return wrong;
+}}
+"""
+    )
+    subprocess.run(["cc", "wall.c", "play.c", "-o", "play"], cwd=tmp_path, check=True)
+    assert subprocess.run(["./play"], cwd=tmp_path, check=False).returncode == 0
+
+
+def test_single_precision_is_refused_where_it_makes_another_wall():
+    """A pole of 1 - 1e-8 is 1 in single precision, and the filter never forgets."""
+    slow = scene(LowPass(weight=1e-8))
+    assert files(slow, 1.0, 0.01)
+    with pytest.raises(ValueError, match=r"^velocity: difference behind an exponential average of"):
+        files(slow, 1.0, 0.01, single=True)
+    fast = Scene(mass=1e-15, damping=1e-20, sampling_period=1e-30)
+    with pytest.raises(ValueError, match=r"^sampling_period: 1e-30 squared is beyond the range"):
+        files(fast, 1e20, 1e-5, single=True)
+
+
 def test_the_same_forces_as_in_a_simulation(tmp_path):
     """The positions of a simulated motion, put through the C code, give its commands."""
     if shutil.which("cc") is None:

@@ -67,6 +67,7 @@ def test_each_part_has_its_table(text, tmp_path):
             '[velocity]\nkind = "average"\nsamples = 2.5',
             ":5: samples: 2.5 is not allowed",
         ),
+        ('[velocity]\nkind = "filter"\nnumerator = 1', "give 1 to 7 numbers"),
         ('[velocity]\nkind = "filter"\nnumerator = [1]\ndenominator = [1, -2]', "the same sum"),
         ('[velocity]\nkind = "filter"\nnumerator = [-1]\ndenominator = [1, -2]', "a stable filter"),
         ("[velocity]\ncut_off = 5", ":4: cut_off is not known; did you mean 'cutoff'?"),

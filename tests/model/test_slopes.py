@@ -9,7 +9,7 @@ import sympy as sp
 from flint import arb
 from mpmath import mpf
 
-from symhaptic.bench.exact import slopes as in_balls
+from symhaptic.balls.exact import slopes as in_balls
 from symhaptic.export import vectors
 from symhaptic.export.vectors import sized
 from symhaptic.forms import derivatives, entire, stable, values

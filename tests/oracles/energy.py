@@ -14,7 +14,7 @@ def form(law, b, T, late=0.0, periods=150):
 
     ``law`` are the wall's coefficients: the force is law[0] x_k + law[1] x_(k-1) + ...
     """
-    assert b > 0, "without a damper every motion that the wall feels gives energy away"
+    assert b > 0, "without a damper every motion that the wall feels delivers energy"
     whole = int(np.floor(late))
     part = late - whole
     times = np.array([part * T, (1 - part) * T] if part else [T])
@@ -49,7 +49,7 @@ def left(K, B, b=1.0, T=1.0, late=0.0, periods=150):
 
 
 def worst(K, B, b=1.0, T=1.0, late=0.0, periods=150):
-    """Angle per period at which the spectrum of the worst motion is largest, for a whole delay."""
+    """Angle per period at which the spectrum of the worst motion is largest; integer delays."""
     motion = np.linalg.eigh(form(wall(K, B, T), b, T, late, periods))[1][:, 0]
     spectrum = np.abs(np.fft.rfft(motion, 64 * periods))
     return 2 * np.pi * spectrum.argmax() / (64 * periods)
@@ -81,7 +81,7 @@ def determinant(K, B, late, theta):
 
 
 def bounds(K, B, b, T, late, short=0.99, wide=1.03):
-    """The wall lies on the border: a little less cannot give energy away, a little more does."""
+    """The wall lies on the border: a little less cannot deliver energy, a little more does."""
     assert left(short * K, short * B, b, T, late) > -1e-12  # rounding of an eigenvalue
     # 150 periods and d <= 3 miss at most 16 pi^2/150^2 = 0.007 of 0.03
     assert left(wide * K, wide * B, b, T, late) < 0

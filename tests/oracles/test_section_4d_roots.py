@@ -1,4 +1,4 @@
-"""Counting roots without polynomials, and the delay margin: eigenvalues for many whole delays."""
+"""Counting roots without polynomials, and the delay margin: eigenvalues for many integer delays."""
 
 import numpy as np
 import oracle
@@ -155,7 +155,7 @@ def test_without_a_spring_the_verdict_is_that_of_the_eigenvalues():
 
 @guards("s4d_roots_delay_margin")
 def test_roots_leave_and_come_back_at_the_delays_that_are_said():
-    """The sum of crossings up to a delay, against eigenvalues for whole delays up to 30."""
+    """The sum of crossings up to a delay, against eigenvalues for integer delays up to 30."""
     walls = [(0.05, 0.1, 0.0, 0.1), (0.02, 0.06, 1e-3, 0.02), (0.5, 0.2, 0.3, 0.05)]
     found = {w: [int((oracle.moduli(*w, d) > 1).sum()) for d in range(31)] for w in walls}
 

@@ -148,7 +148,7 @@ def wall(theta, top, bottom, shift):
 
 
 def cases():
-    """Devices behind a whole delay and behind one with a fraction: names, M, A, and the shift."""
+    """Devices with an integer delay and behind one with a fraction: names, M, A, and the shift."""
     for gamma, delta in PLANTS:
         n_1, n_0, a, e = oracle.numbers(gamma, delta)
         own = {"a": a, "e": e}

@@ -38,6 +38,16 @@ THEOREMS = {
     "loop_of_late_device": [("z^(2 + l)", "z^(1 + l)"), ("INR l + u", "INR l - u")],
     "half_a_period": [("INR l + 1 / 2", "INR l + 1 / 3"), ("0 < x -> ", "")],
     "held_by_a_pole": [("1 <= x^2", "0 <= x^2"), ("~ stable", "stable")],
+    "toeplitz": [("0 <= static l /\\ ", ""), ("0 <= margin", "0 < margin"), ("< PI", "< 1")],
+    "whole_wall": [("0 < T -> ", ""), ("/ z ^ m", "/ z ^ S m"), ("(z - 1)", "(z + 1)")],
+    "late_wall": [("0 < b -> ", ""), ("/ (4 * T * b)", "/ (2 * T * b)"), ("0 <= u <= 1", "0 <= u")],
+    "gains_energy": [("0 <= b -> ", ""), ("motion < 0", "motion <= 0"), ("~ passive", "passive")],
+    "stored": [("Re (E (RtoC 0)) = 0 -> ", ""), ("0 <= Re (E", "-1 <= Re (E"), ("0 <= d ->", "")],
+    "held_steady_state": [("0 < delta -> ", ""), ("z <> RtoC 1 ->", ""), ("delta * C", "1 * C")],
+    "late_held_steady_state": [("0 < u < 1", "0 <= u"), ("Cmod z = 1 -> ", "")],
+    "answer_later": [("z <> RtoC 0 /\\ ", ""), ("X / z^n", "X * z^n")],
+    "answer_units": [("f <> 0 -> ", ""), ("(T / u)", "(T * u)")],
+    "one_answer": [("P z Y T", "P z Y 1"), ("P z X T -> ", "")],
     "on_plants": [("e = exp (- d)", "e = exp d"), ("held g d n1", "held d g n1")],
 }  # fmt: skip
 
@@ -77,12 +87,50 @@ def test_what_is_defined_rests_on_the_axioms_of_the_reals_alone(folder):
     names = [theorem(name)[0] for name in THEOREMS if name != "on_plants"]
     (folder / "defined.v").write_text(
         "From Symhaptic Require Import Control.\n"
-        f"Definition all_of_it := ({', '.join(names)}).\n"
+        f"Definition all_of_it := ({', '.join(names)}, @Answers.held_answer).\n"
         "Print Assumptions all_of_it.\n"
     )
     done = compiled._compiled(folder, "defined")
     assert done.returncode == 0, done.stderr
-    assert set(assumptions.axioms(done.stdout)) == {foreign.REALS}
+    assert assumptions.axioms(done.stdout) == set(foreign.LIBRARY) - {foreign.INTEGERS}
+
+
+SPRING = """
+  apply (whole_wall {K} 0 1 1 0 (fun z => (0 * (z - 1) / (1 * z) + {K}) / z^0)%C);
+    [lra | intros; reflexivity |].
+  apply (toeplitz _ _ ((0%nat, {K}) :: nil)); [as_taps | split; [cbn; lra |]].
+  intros t T; assert (C : cos t < 1) by (apply cos_below_one; lra).
+  rewrite at_angle_is by lra; cbn; lra.
+"""
+
+
+def test_walls_and_answers_in_numbers_are_no_others(folder):
+    """By hand: beside b = 1 and T = 1 a spring of up to 2 b/T is passive, and what pulls is not."""
+    answer = "answers (fun s => 1 / s^2)%C (RtoC 2) (RtoC {}) (RtoC 1)"
+    claims = {
+        "soft": ("passive_wall 2 0 1 1 0", SPRING.format(K=2)),
+        "stiff": ("passive_wall 3 0 1 1 0", SPRING.format(K=3)),
+        "never": ("forall K, ~ passive_wall K 0 1 1 0", "intros K P; exact (P 0)."),
+        "always": ("forall K B, passive_wall K B 1 1 0", "intros K B v V e n E; unfold work; nra."),
+        "undamped": ("~ passive_wall 0 0 (-1) 1 0",
+            "intro P; apply (whole_wall 0 0 (-1) 1 0 "
+            "(fun z => (0 * (z - 1) / (1 * z) + 0) / z^0)%C) in P; [| lra | reflexivity]; "
+            "apply (passive_taps _ _ ((0%nat, 0) :: nil)) in P; "
+            "[| as_taps]; specialize (P (fun _ => 1) 1%nat); "
+            "unfold energy, force, place, impulse in P; simpl in P; lra."),
+        "no_device": (answer.format("1") + " -> False", "intros (m & b & k & t & p & H); lra."),
+    }  # fmt: skip
+    text = "From Symhaptic Require Import Control.\n" + "".join(
+        f"Lemma {name} : {claim}.\nProof.\n  {way}\nQed.\n" for name, (claim, way) in claims.items()
+    )
+    assert set(compiled.failing(folder, text)) == {"stiff", "never", "always", "no_device"}
+
+
+def test_nothing_is_assumed_in_the_library():
+    """No axiom, no parameter and no proof that is left out, so that no name stands for nothing."""
+    for path in PRELUDES:
+        text = re.sub(r"\(\*.*?\*\)", "", path.read_text(encoding="utf-8"), flags=re.S)
+        assert not re.findall(r"\b(?:Axiom|Parameter|Conjecture|Admitted|admit)s?\b", text), path
 
 
 def test_a_device_in_numbers_is_no_other(folder):

@@ -103,11 +103,10 @@ def test_leaves_are_found_again(name, empty):
 
 
 def in_kernel(judged):
-    """The rules and axioms, and what is meant by predicates, that our kernel names."""
-    meanings = set(map(assumptions.rule_of, preludes.known_there()))
+    """The rules and axioms that our kernel names."""
     theorems = [judged.theorem, *(case.theorem for case in judged.unless)]
     found = {t.given[0] if t.rule == "known" else t.rule for t in order(theorems)}
-    return found & (set(sources()) | meanings)
+    return found & set(sources())
 
 
 @pytest.mark.ci
@@ -118,10 +117,8 @@ def test_what_is_whole_rests_on_the_rules_that_our_kernel_names(name):
         found = foreign.checked(id, item.settlement.judged)
         assert not found.stale, id
         if found.extent == foreign.WHOLE:
-            library = {foreign.REALS, foreign.INTEGERS} | preludes.meant()
-            # a predicate and the rule that is named like it are told apart by neither list
-            ours = in_kernel(item.settlement.judged) - PROVED - library
-            assert set(found.rests) - library == ours, id
+            ours = in_kernel(item.settlement.judged) - PROVED
+            assert set(found.rests) - set(foreign.LIBRARY) == ours, id
         elif found.extent == foreign.LEAVES:
             assert found.why, id
 

@@ -21,8 +21,6 @@ pytestmark = [
 ]
 TEXT = proposition(Symbol("x") > 0)
 ADDED = "0 < 2", ("lra.",)
-MEANT = "forall M T, passive M T -> 0 < 2", ("intros; lra.",)
-"""Rests on what `passive` means, which stands in the prelude."""
 
 
 @pytest.fixture(scope="module")
@@ -49,56 +47,32 @@ def taken(folder, name, *lemmas, believed=()):
     return Taken(file, outcome, folder, seen.name, seen.names)
 
 
-def recorded(*names):
-    return {"checked": "whole", "rests": [*names, foreign.REALS]}
+def recorded(names):
+    return {"checked": "whole", "rests": [*names]}
 
 
 def test_each_rests_on_what_the_record_says_and_on_its_own_axioms(folder, monkeypatch):
-    one = taken(folder, "one", MEANT)
+    one = taken(folder, "one", ADDED)
     stored = "rule_stored_1", "0 < 3"
-    other = taken(folder, "other", MEANT, ("0 < 3", ("exact rule_stored_1.",)), believed=[stored])
+    other = taken(folder, "other", ADDED, ("0 < 3", ("exact rule_stored_1.",)), believed=[stored])
+    library = one.alone().rules("one-0")
+    assert foreign.REALS in library
     known = {
-        "statements": {f"{n}-{i}": recorded("passive") for n in ("one", "other") for i in (0, 1)}
+        "statements": {f"{n}-{i}": recorded(library) for n in ("one", "other") for i in (0, 1)}
     }
     asked, listed = [], together.listed
     monkeypatch.setattr(together, "listed", lambda *a: asked.append(a[1]) or listed(*a))
     found = together.asked([one, other], folder, known)
     assert asked == [[one.module, other.module]]
-    assert found["one"].rules("one-0") == ["passive", foreign.REALS]
-    assert found["other"].rules("other-0") == ["passive", foreign.REALS]
-    assert found["other"].rules("other-1") == ["stored", foreign.REALS]
+    assert found["one"].rules("one-0") == library
+    assert found["other"].rules("other-0") == library
+    assert found["other"].rules("other-1") == ["stored", *library]
     assert set(found["other"].statements.values()) == {"whole"}
-
-
-def test_what_is_not_recorded_of_all_of_them_is_laid_to_none_that_does_not_use_it(folder):
-    """Rocq lists `passive` for both, of which the record of neither knows."""
-    one, other = taken(folder, "plain", ADDED), taken(folder, "meant", MEANT)
-    known = {"statements": {"plain-0": recorded(), "meant-0": recorded()}}
-    found = together.asked([one, other], folder, known, workers=2)
-    assert found["plain"].rules("plain-0") == [foreign.REALS]
-    assert found["meant"].rules("meant-0") == ["passive", foreign.REALS]
-
-
-def test_a_predicate_is_laid_to_those_that_name_it_and_parts_nobody(folder, monkeypatch):
-    """Each alone where the record has it of one whose lemmas do not name it."""
-    one, other = taken(folder, "bare", ADDED), taken(folder, "named", MEANT)
-    asked, listed = [], together.listed
-    monkeypatch.setattr(together, "listed", lambda *a: asked.append(a[1]) or listed(*a))
-    known = {"statements": {"bare-0": recorded(), "named-0": recorded("passive")}}
-    found = together.asked([one, other], folder, known)
-    assert asked == [[one.module, other.module]]
-    assert found["bare"].rules("bare-0") == [foreign.REALS]
-    assert found["named"].rules("named-0") == ["passive", foreign.REALS]
-    alone = []
-    monkeypatch.setattr(compiled.Taken, "alone", lambda one: alone.append(one) or one.outcome)
-    known = {"statements": {id: recorded("passive") for id in ("bare-0", "named-0")}}
-    together.asked([one, other], folder, known)
-    assert alone == [one]
 
 
 def test_an_axiom_that_nobody_named_is_found_among_others_too(folder):
     """Of one that takes it from a file of which its index tells that it is a lemma."""
-    known = {"statements": {"third-0": recorded(), "fourth-0": recorded()}}
+    known = {"statements": {id: recorded([foreign.REALS]) for id in ("third-0", "fourth-0")}}
     third, fourth = taken(folder, "third", ADDED), taken(folder, "fourth", ADDED)
     hidden = taken(folder, "hidden", ("0 < 5", ("exact rule_hidden_1.",)),
                    believed=[("rule_hidden_1", "0 < 5")])  # fmt: skip
@@ -108,7 +82,7 @@ def test_an_axiom_that_nobody_named_is_found_among_others_too(folder):
 
 
 def test_what_rocq_does_not_list_is_not_whole(folder, monkeypatch):
-    known = {"statements": {"fifth-0": recorded(), "sixth-0": recorded()}}
+    known = {"statements": {id: recorded([foreign.REALS]) for id in ("fifth-0", "sixth-0")}}
     some = [taken(folder, "fifth", ADDED), taken(folder, "sixth", ADDED)]
     failed = subprocess.CompletedProcess([], 1, "", "Out of\nmemory")
     monkeypatch.setattr(compiled, "_compiled", lambda *a: failed)

@@ -117,6 +117,17 @@ def test_a_virtual_mass_takes_from_the_friction_of_an_encoder():
     assert math.isclose(Scene(**own, virtual_mass=2e-4).max_quantised_stiffness(), 0.0)
 
 
+@pytest.mark.parametrize("name", NOT_TOLD)
+def test_proofs_are_of_the_loop_of_the_paper(name):
+    for question, ask in (
+        ("simplest", lambda: NOT_TOLD[name].simplest(0.01)),
+        ("safe_walls", NOT_TOLD[name].safe_walls),
+    ):
+        words = rf"^[^\n]* is not allowed for {question}, whose proofs are of the paper's loop; "
+        with pytest.raises(ValueError, match=words):
+            ask()
+
+
 def test_parts_are_in_the_latex_of_a_scene():
     scene = Scene(**DEVICE, velocity=LowPass(cutoff=50), virtual_mass=0.001)
     for words in (r"\text{velocity: difference behind", r"\text{virtual mass: 0.001 kg}"):

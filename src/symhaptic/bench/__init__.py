@@ -3,7 +3,6 @@
 * ``measuring``, ``timing``: what `symhaptic bench` measures, how often, and by which clock
 * ``functions``, ``points``: error against time of each function, and the points where
 * ``error``, ``exported``, ``terms``: the error of exported C: `benchmarks/accuracy.py`
-* ``exact``, ``closed``, ``implicit``, ``winding``: exact values in ball arithmetic
 * ``peers``, ``models``, ``printed``, ``tracing``, ``verdicts``: what is compared with
 
 Nothing here passes or fails.  The errors are kept in `export/accuracy.json` and the times in

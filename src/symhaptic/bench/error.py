@@ -12,7 +12,7 @@ import flint
 import numpy as np
 from flint import arb
 
-from symhaptic.bench.exact import EXACT, bits, slopes
+from symhaptic.balls.exact import EXACT, bits, slopes
 from symhaptic.bench.exported import GCC, compiled
 from symhaptic.bench.points import Array, columns
 from symhaptic.bench.terms import sized

@@ -17,9 +17,9 @@ import numpy as np
 from flint import arb
 
 import symhaptic
+from symhaptic.balls.exact import EXACT, bits
 from symhaptic.bench import points
 from symhaptic.bench.error import exactly, functions, largest
-from symhaptic.bench.exact import EXACT, bits
 from symhaptic.bench.exported import compiled
 from symhaptic.bench.points import Array
 from symhaptic.bench.printed import expressions, function, swings
@@ -209,6 +209,8 @@ def ways(form: Form, folder: Path) -> Iterator[Way]:
             yield Way(name, f"{digits} digits", last, call)
         call = partial(_in_digits, symhaptic.lambdify(form.name, modules="mpmath"), digits)
         yield Way("stable", f"{digits} digits", last, call)
+        if form.name in _TO_DIGITS:
+            yield Way("package", f"{digits} digits", last, partial(_to_digits, form.name, digits))
     for size in BITS:
         yield Way("balls", f"{size} bits", 2.0 ** (1 - size), partial(_balls, form.name, size))
 
@@ -232,12 +234,22 @@ def _real(call: Callable[..., Any], complex: bool, kind: Any) -> Callable[..., S
 # what the package itself computes with; a form's other functions have other arguments there
 _OWN = ("discretize", "stability_boundary", "passivity_boundary", "max_passive_stiffness",
         "linear_limit")  # fmt: skip
+_TO_DIGITS = (*_OWN, "discretize_fractional", "passivity_margin_at")
 _SHEETS = ("stability_boundary", "passivity_boundary", "max_passive_stiffness")
 
 
 def _own(name: str, arrays: Sequence[Array]) -> Sequence[Array]:
     sheet = {"sheet": "principal"} if name in _SHEETS else {}
     return _listed(tuple(np.atleast_2d(getattr(symhaptic, name)(*arrays, **sheet))))
+
+
+def _to_digits(name: str, digits: int, point: Sequence[float]) -> Sequence[Any]:
+    """Balls, which are right to so many digits; nothing where one is not reached."""
+    try:
+        found = getattr(symhaptic, name)(*point, digits=digits)
+    except (ValueError, ArithmeticError):  # outside of the function's range, or zero
+        return ()
+    return _listed(found)
 
 
 def _in_digits(call: Callable[..., Any], digits: int, point: Sequence[float]) -> Sequence[Any]:

@@ -13,8 +13,8 @@ import flint
 import numpy as np
 from flint import arb
 
-from symhaptic.bench import closed, winding
-from symhaptic.bench.exact import bits
+from symhaptic.balls import closed, winding
+from symhaptic.balls.exact import bits
 from symhaptic.bench.printed import function
 from symhaptic.bench.timing import seconds
 from symhaptic.bench.verdicts import known, near

@@ -12,7 +12,7 @@ import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
-from symhaptic.bench import closed, implicit
+from symhaptic.balls import closed, implicit
 from symhaptic.bench.points import Array
 from symhaptic.bench.timing import seconds
 from symhaptic.numeric.boundary import stability_boundary

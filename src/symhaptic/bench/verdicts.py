@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from symhaptic.bench import winding
+from symhaptic.balls import winding
 from symhaptic.bench.exported import compiled
 from symhaptic.bench.points import Array
 from symhaptic.bench.printed import function
@@ -25,7 +25,7 @@ from symhaptic.numeric.stability import is_stable, unstable_roots
 DISTANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-14)
 """Relative distances from the boundary, towards alpha = beta = 0 and away from it."""
 
-_SIZES = {"eigenvalues": 2, "(14) as printed": 2, "Jury table": 200}
+_SIZES = {"eigenvalues": 2, "(14) as printed": 2, "Jury table": 200, "certified": 2000}
 """Number of walls that slow methods are timed with."""
 
 Walls = tuple[Array, Array, Array, Array]
@@ -97,6 +97,11 @@ def known(stable: Any, outside: Any) -> Any:
 Way = Callable[[Walls, int], Any]
 
 
+def _certified(walls: Walls, delay: int) -> Any:
+    alpha, beta, gamma, delta = walls
+    return is_stable(alpha, beta, gamma, delta, delay, certified=True)
+
+
 def methods(folder: Path) -> dict[str, tuple[Way, Way]]:
     """The verdicts of each method (NaN: refused), and the function that is timed."""
     (plant,) = request.chosen(["discretize"])
@@ -115,6 +120,7 @@ def methods(folder: Path) -> dict[str, tuple[Way, Way]]:
         lambda walls, d: known(is_stable(*walls, d), unstable_roots(*walls, d)),
         lambda walls, d: is_stable(*walls, d),
     )
+    ways["certified"] = _certified, _certified
     if shutil.which("gcc"):
         calls = [compiled(form, folder) for form in request.chosen(["is_stable", "unstable_roots"])]
 
@@ -141,14 +147,18 @@ def measured(
             plants = count if delay <= most else max(1, round(count * (most / delay) ** 2))
             tried = {eps: near(delay, eps, plants) for eps in DISTANCES}
             for name, (verdicts, timed_way) in ways.items():
-                wrong, refused = {}, []
+                wrong, unsure, near_by = {}, {}, {}
+                size = _SIZES.get(name, timed)
                 for eps, (walls, truth) in tried.items():
                     with np.errstate(all="ignore"):
                         said = np.asarray(verdicts(walls, delay), dtype=float)
-                    refused.append(np.isnan(said))
-                    wrong[f"{eps:g}"] = float(np.mean((said != truth) & ~np.isnan(said)))
-                size = _SIZES.get(name, timed)
-                al, be, gamma, delta = (np.resize(a, size) for a in tried[DISTANCES[0]][0])
-                took = seconds(partial(timed_way, (al, be, gamma, delta), delay), 3) / size
+                    key = f"{eps:g}"
+                    unsure[key] = float(np.mean(np.isnan(said)))
+                    wrong[key] = float(np.mean((said != truth) & ~np.isnan(said)))
+                    al, be, gamma, delta = (np.resize(a, size) for a in walls)
+                    timed_here = partial(timed_way, (al, be, gamma, delta), delay)
+                    near_by[key] = seconds(timed_here, 1 if size < timed else 3) / size
                 row = {"delay": delay, "method": name, "walls": int(truth.size)}
-                yield {**row, "seconds": took, "wrong": wrong, "refused": float(np.mean(refused))}
+                took = {"seconds": near_by[f"{DISTANCES[0]:g}"], "near": near_by}
+                refused = float(np.mean([*unsure.values()]))
+                yield {**row, **took, "wrong": wrong, "open": unsure, "refused": refused}

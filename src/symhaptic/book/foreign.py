@@ -29,8 +29,10 @@ WHOLE, LEAVES, NOT = "whole", "leaves", "not"
 CHANGED = "what it says has changed since Rocq was asked"
 UNKNOWN = "Rocq was not asked"
 
-REALS, INTEGERS = "the axioms of the reals", "primitive integers and floats"
-"""What a statement may rest on beside classical rules."""
+REALS, EXCLUDED = "the axioms of the reals", "excluded middle"
+EXTENSIONAL, INTEGERS = "functional extensionality", "primitive integers and floats"
+LIBRARY = (REALS, EXCLUDED, EXTENSIONAL, INTEGERS)
+"""What a statement may rest on beside classical rules: axioms of Rocq's own library."""
 
 
 @dataclass(frozen=True)
@@ -54,11 +56,8 @@ class Checked:
 
     @property
     def others(self) -> list[str]:
-        """What else it rests on, in words: meanings of predicates, and Rocq's library."""
-        library = [name for name in (REALS, INTEGERS) if name in self.rests]
-        known = {*self.rules, *library}
-        meanings = [name.replace("_", " ") for name in self.rests if name not in known]
-        return ([f"the meaning of {listed(meanings)}"] if meanings else []) + library
+        """What else it rests on, in words: what Rocq's library is built on."""
+        return [name for name in LIBRARY if name in self.rests]
 
     @property
     def reason(self) -> str:

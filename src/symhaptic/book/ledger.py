@@ -142,7 +142,7 @@ def by_source(entries: Iterable[Entry]) -> str:
     """How many statements are from where."""
     counts = Counter(entry.source for entry in entries)
     of_sources = [f"{counts[s]} of {s.title}" for s in SOURCES[1:] if counts[s]]
-    own = [f"{counts[None]} found on the way"] if counts[None] else []
+    own = [f"{counts[None]} further results"] if counts[None] else []
     return ", ".join([f"{counts[PAPER]} of the paper", *of_sources, *own])
 
 

@@ -82,6 +82,22 @@ def folder(prefix: str = "symhaptic-", parent: Path | None = None) -> Iterator[P
 
 
 @contextmanager
+def temporary() -> Iterator[None]:
+    """Keep what is temporary, also of compilers, in a folder that is removed after a kill, too."""
+    of_python, of_programs = tempfile.tempdir, os.environ.get("TMPDIR")
+    with folder() as made:
+        tempfile.tempdir = os.environ["TMPDIR"] = str(made)
+        try:
+            yield
+        finally:
+            tempfile.tempdir = of_python
+            if of_programs is None:
+                del os.environ["TMPDIR"]
+            else:
+                os.environ["TMPDIR"] = of_programs
+
+
+@contextmanager
 def program(command: Sequence[str | Path], **options: Any) -> Iterator[Popen[str]]:
     """Start a program without input; it ends at the end, with all that it has started."""
     with _held(_PROGRAM, *command, **options) as process:

@@ -4,6 +4,6 @@
 * ``simplest``: the smallest model whose error is proved to be small
 * ``walls``, ``linear_points``, ``balls``: what these and the chapters compute in balls
 
-Imports ``notation``, ``model``, ``proof`` and ``numeric``; used by ``book``, ``scene``, ``bench``
-and ``cli``.
+Imports ``notation``, ``model``, ``proof``, ``balls`` and ``numeric``; used by ``book``,
+``scene`` and ``cli``.
 """

@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from symhaptic.bench import implicit, winding
-from symhaptic.bench.exact import EXACT
+from symhaptic.balls import implicit, winding
+from symhaptic.balls.exact import EXACT
 from symhaptic.check.checked import FLAT, Argument, Checked, Point
 from symhaptic.kernels import haptic
 from symhaptic.numeric import passivity

@@ -49,8 +49,9 @@ def bench(
         os.environ.setdefault(f"{library}_NUM_THREADS", "1")
     from symhaptic.bench import measuring
     from symhaptic.book.measured.record import FIELDS
+    from symhaptic.book.processes import temporary
 
-    with progress(len(FIELDS)) as told:
+    with temporary(), progress(len(FIELDS)) as told:
         found = measuring.measured(
             measuring.QUICK if quick else measuring.FULL, lambda done, name: told(done, Path(name))
         )

@@ -1,6 +1,7 @@
 """The package's own kernels: what the exporter writes for arrays and in C, committed.
 
 ``kernels/ufuncs.cpp`` makes NumPy's ufuncs from the C; this module writes the table that it needs.
+``kernels/filter.cpp`` is what they ask before the C.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from hashlib import sha256
 from itertools import chain
 from pathlib import Path
 
-from symhaptic.export import request
+from symhaptic.export import plain, request
 from symhaptic.export.language import Target, describe
 from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.export.routine import Library, Routine, code_name
@@ -26,23 +27,36 @@ _HEADER = "# Written by `symhaptic kernels` from the stable forms; do not edit.\
 
 _REMARK = "/* Written by `symhaptic kernels` from the stable forms; do not edit. */\n"
 
-_WRITTEN = ("*.py", "*.pyi", "*.c", "*.h")
+_WRITTEN = ("*.py", "*.pyi", "*.c", "table.h")
 
-_UFUNCS = FOLDER / "ufuncs.cpp"
+_BY_HAND = [FOLDER / name for name in ("ufuncs.cpp", "filter.cpp", "filter.h")]
 
 _INSIDE = ("LateDevice",)
 """Routines of the library that are ufuncs, too, for callers that have checked the ranges."""
 
+_OF_NUMBERS = (
+    "discretize",
+    "is_stable",
+    "unstable_roots",
+    "stability_boundary",
+    "passivity_margin",
+)
+"""Functions that are called one by one in loops; plain Python is then faster than arrays of one."""
+
 _ABOUT = '''"""How does a call compute?  The stable forms as generated code, which imports nothing.
 
 `haptic.c` has the functions in C; `ufuncs.cpp`, written by hand, calls them in a loop over arrays,
-and `table.h` lists them for it.  ``haptic`` has the same functions for arrays of any library.
-`symhaptic kernels` writes all but `ufuncs.cpp` from the routines of `export/routines`.  Imports
-nothing; used by ``numeric``.
+and `table.h` lists them for it.  `filter.cpp` judges most walls before.  ``haptic`` has the same
+functions for arrays of any library, ``scalar`` some for floats.  `symhaptic kernels` writes all
+but `ufuncs.cpp` and `filter.*` from the routines of `export/routines`.  Imports nothing; used by
+``numeric``.
 """
 
 STAMP = "%s"
 """Of the sources in C, as the module that is compiled of them has it."""
+
+OF_NUMBERS = %s
+"""The functions that `scalar` has, too."""
 '''
 
 _BOTH = """#include <math.h>
@@ -64,6 +78,52 @@ _BOTH = """#include <math.h>
 #endif
 
 """
+
+_KEPT = """#ifdef _MSC_VER
+#define EACH_THREAD __declspec(thread)
+#else
+#define EACH_THREAD __thread
+#endif
+
+/* What is made of the device alone: that of the call before is kept, as most arrays have one
+ * device. -0.0 is 0.0 here, as it is for the comparison. */
+#define KEEP(Kind, name) \\
+    static inline Kind name(REAL gamma, REAL delta) { \\
+        static EACH_THREAD REAL last[2] = {NAN, NAN}; \\
+        static EACH_THREAD Kind kept; \\
+        if (last[0] == gamma && last[1] == delta) return kept; \\
+        last[0] = gamma + R(0.0); last[1] = delta + R(0.0); \\
+        return kept = name##_anew(last[0], last[1]); \\
+    }
+#define KEEP_PART(Kind, name) \\
+    static inline Kind name(REAL gamma, REAL delta, REAL part) { \\
+        static EACH_THREAD REAL last[3] = {NAN, NAN, NAN}; \\
+        static EACH_THREAD Kind kept; \\
+        if (last[0] == gamma && last[1] == delta && last[2] == part) return kept; \\
+        last[0] = gamma + R(0.0); last[1] = delta + R(0.0); last[2] = part + R(0.0); \\
+        return kept = name##_anew(last[0], last[1], last[2]); \\
+    }
+
+"""
+
+_DEVICE = re.compile(
+    r"^static inline (Device\d*|Delayed) (\w+)"
+    r"(\(REAL gamma,\s+REAL delta(, REAL part)?\) \{\n.*?^\}\n)",
+    re.M | re.S,
+)
+"""A function of the device alone."""
+
+
+def keeping(source: str) -> str:
+    """Sources in C whose functions of the device alone keep the last one."""
+
+    def kept(found: re.Match[str]) -> str:
+        kind, name, rest, part = found.groups()
+        again = f"KEEP{'_PART' if part else ''}({kind}, {name})"
+        return f"static inline {kind} {name}_anew{rest}{again}\n"
+
+    return _DEVICE.sub(kept, source)
+
 
 _SINGLE = """#define SINGLE
 #include "haptic.c"
@@ -100,9 +160,11 @@ def forms() -> list[Form]:
 
 
 def files() -> dict[str, str]:
-    """The files of the folder, by name: for arrays of all libraries, and in C for NumPy's."""
+    """The files of the folder, by name: for arrays of all libraries, for numbers, and in C."""
     every = forms()
     _, made = request.built(TARGETS["numpy"], every, vectors=False)
+    some = [form for form in every if form.name in _OF_NUMBERS]
+    made |= request.built(plain.TARGET, some, "scalar", vectors=False)[1]
     sources, heads = [], []
     for precision, name in ((DOUBLE, "haptic"), (SINGLE, "haptic_single")):
         language = TARGETS["c"].at(precision)
@@ -111,11 +173,13 @@ def files() -> dict[str, str]:
         sources.append("\n".join([files[f"{name}.c"], *map("\n".join, whole)]))
         heads += re.findall(r"^\w+ \w+\([^)]*\);$", files[f"{name}.h"], re.M)
         heads += [f"{head.removesuffix(' {')};" for head, *_ in whole]
-    in_c = {"haptic.c": _BOTH + both(*sources), "haptic_single.c": _SINGLE}
-    parts = [*in_c.values(), _UFUNCS.read_text(encoding="utf-8"), _table(library, heads, "")]
+    in_c = {"haptic.c": _BOTH + _KEPT + keeping(both(*sources)), "haptic_single.c": _SINGLE}
+    by_hand = [path.read_text(encoding="utf-8") for path in _BY_HAND]
+    parts = [*in_c.values(), *by_hand, _table(library, heads, "")]
     stamp = sha256("".join(parts).encode()).hexdigest()[:16]
     in_c |= {"table.h": _table(library, heads, stamp), "_compiled.pyi": _typed(library)}
-    made |= {"__init__.py": _ABOUT % stamp} | in_c
+    names = ", ".join(f'"{name}"' for name in _OF_NUMBERS)
+    made |= {"__init__.py": _ABOUT % (stamp, f"({names})")} | in_c
     return {
         name: (_REMARK if name.endswith((".c", ".h")) else _HEADER) + text
         for name, text in made.items()
@@ -222,6 +286,7 @@ def _typed(library: Library) -> str:
     lines = [
         "from typing import Any\n\nfrom numpy import ufunc\n",
         *(f"{code_name(n)}: ufunc" for n in (*public, *(r.name for r in _inside(library)))),
+        "certain_roots: ufunc",
         "\nSTAMP: str\n\ndef outside() -> bool: ...",
         *(f"def one_{name}(*numbers: Any) -> Any: ..." for name in public),
     ]

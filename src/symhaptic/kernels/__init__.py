@@ -2,10 +2,14 @@
 """How does a call compute?  The stable forms as generated code, which imports nothing.
 
 `haptic.c` has the functions in C; `ufuncs.cpp`, written by hand, calls them in a loop over arrays,
-and `table.h` lists them for it.  ``haptic`` has the same functions for arrays of any library.
-`symhaptic kernels` writes all but `ufuncs.cpp` from the routines of `export/routines`.  Imports
-nothing; used by ``numeric``.
+and `table.h` lists them for it.  `filter.cpp` judges most walls before.  ``haptic`` has the same
+functions for arrays of any library, ``scalar`` some for floats.  `symhaptic kernels` writes all
+but `ufuncs.cpp` and `filter.*` from the routines of `export/routines`.  Imports nothing; used by
+``numeric``.
 """
 
-STAMP = "3def2c0259ffad48"
+STAMP = "89eecc6f7f4359ac"
 """Of the sources in C, as the module that is compiled of them has it."""
+
+OF_NUMBERS = ("discretize", "is_stable", "unstable_roots", "stability_boundary", "passivity_margin")
+"""The functions that `scalar` has, too."""

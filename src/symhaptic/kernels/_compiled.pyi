@@ -15,6 +15,7 @@ passivity_boundary: ufunc
 max_passive_stiffness: ufunc
 linear_limit: ufunc
 late_device: ufunc
+certain_roots: ufunc
 
 STAMP: str
 

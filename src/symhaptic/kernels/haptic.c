@@ -17,6 +17,31 @@
 #define PICK(in_double, in_single) in_double
 #endif
 
+#ifdef _MSC_VER
+#define EACH_THREAD __declspec(thread)
+#else
+#define EACH_THREAD __thread
+#endif
+
+/* What is made of the device alone: that of the call before is kept, as most arrays have one
+ * device. -0.0 is 0.0 here, as it is for the comparison. */
+#define KEEP(Kind, name) \
+    static inline Kind name(REAL gamma, REAL delta) { \
+        static EACH_THREAD REAL last[2] = {NAN, NAN}; \
+        static EACH_THREAD Kind kept; \
+        if (last[0] == gamma && last[1] == delta) return kept; \
+        last[0] = gamma + R(0.0); last[1] = delta + R(0.0); \
+        return kept = name##_anew(last[0], last[1]); \
+    }
+#define KEEP_PART(Kind, name) \
+    static inline Kind name(REAL gamma, REAL delta, REAL part) { \
+        static EACH_THREAD REAL last[3] = {NAN, NAN, NAN}; \
+        static EACH_THREAD Kind kept; \
+        if (last[0] == gamma && last[1] == delta && last[2] == part) return kept; \
+        last[0] = gamma + R(0.0); last[1] = delta + R(0.0); last[2] = part + R(0.0); \
+        return kept = name##_anew(last[0], last[1], last[2]); \
+    }
+
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) || \
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "this file needs IEEE arithmetic: compile it without -ffast-math, -Ofast and /fp:fast"
@@ -428,7 +453,7 @@ static inline Swinging swinging_device(const Motion *motion, REAL gamma) {
 }
 
 // n0, n1 and trace of the device
-static inline Device device_n0_n1_trace(REAL gamma, REAL delta) {
+static inline Device device_n0_n1_trace_anew(REAL gamma, REAL delta) {
     const Motion motion = device_motion(gamma, delta);
     const Pair decayed = slow_fade(&motion);
     if (motion.w.hi < R(0.0)) {
@@ -442,6 +467,7 @@ static inline Device device_n0_n1_trace(REAL gamma, REAL delta) {
         plant_n1_creep(&motion, &creeping, decayed),
         rounded(pair_prod(creeping.slow, one_plus(creeping.ratio)))};
 }
+KEEP(Device, device_n0_n1_trace)
 
 // divided difference of cosh(sqrt) at h^2 and w, less 1/2
 static inline REAL numerator_at_one_series(REAL h, REAL w) {
@@ -488,7 +514,7 @@ static inline REAL numerator_at_one_swing(const Motion *motion, const Swinging *
 }
 
 // together and trace of the device
-static inline Device2 device_together_trace(REAL gamma, REAL delta) {
+static inline Device2 device_together_trace_anew(REAL gamma, REAL delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < R(0.0)) {
         const Swinging swinging = swinging_device(&motion, gamma);
@@ -499,6 +525,7 @@ static inline Device2 device_together_trace(REAL gamma, REAL delta) {
     return (Device2){numerator_at_one_creep(&motion, &creeping),
         rounded(pair_prod(creeping.slow, one_plus(creeping.ratio)))};
 }
+KEEP(Device2, device_together_trace)
 
 // n0, the same device with its time reversed, times exp(-delta)
 static inline REAL plant_n0(REAL gamma, REAL delta) {
@@ -600,7 +627,7 @@ static inline REAL numerator_gap_swing(const Motion *motion, const Swinging *swi
 }
 
 // at_minus_one, kick, together, n_gap, n0 and n1 of the device
-static inline Device3 device_at_minus_one_kick_together_n_gap_n0_n1(REAL gamma, REAL delta) {
+static inline Device3 device_at_minus_one_kick_together_n_gap_n0_n1_anew(REAL gamma, REAL delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < R(0.0)) {
         const Swinging swinging = swinging_device(&motion, gamma);
@@ -620,6 +647,7 @@ static inline Device3 device_at_minus_one_kick_together_n_gap_n0_n1(REAL gamma, 
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
         plant_n1_creep(&motion, &creeping, decayed)};
 }
+KEEP(Device3, device_at_minus_one_kick_together_n_gap_n0_n1)
 
 // the root of a cubic on a piece where it bends one way
 static inline REAL cubic_root(REAL k0, REAL k1, REAL k2, REAL k3, REAL low,
@@ -1066,7 +1094,7 @@ static inline REAL half_turned(REAL found, REAL gamma, REAL delta, REAL part) {
 }
 
 // kick, kick_low, n_gap, n0 and n1 of the device
-static inline Device4 device_kick_kick_low_n_gap_n0_n1(REAL gamma, REAL delta) {
+static inline Device4 device_kick_kick_low_n_gap_n0_n1_anew(REAL gamma, REAL delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < R(0.0)) {
         const Swinging swinging = swinging_device(&motion, gamma);
@@ -1083,9 +1111,10 @@ static inline Device4 device_kick_kick_low_n_gap_n0_n1(REAL gamma, REAL delta) {
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
         plant_n1_creep(&motion, &creeping, decayed)};
 }
+KEEP(Device4, device_kick_kick_low_n_gap_n0_n1)
 
 // m2 - m1 + m0, m2, an impulse's way in the rest of the period, m0, behind a fraction of it
-static inline Delayed late_device(REAL gamma, REAL delta, REAL part) {
+static inline Delayed late_device_anew(REAL gamma, REAL delta, REAL part) {
     const REAL t0 = R(1.0) - part, t1 = t0*t0, t2 = gamma*t1, t3 = delta*t0;
     const Device4 device = device_kick_kick_low_n_gap_n0_n1(t2, t3);
     const REAL t5 = part*part, t6 = gamma*t5, t7 = delta*part;
@@ -1096,6 +1125,7 @@ static inline Delayed late_device(REAL gamma, REAL delta, REAL part) {
         (device2.kick.hi*t7 + device2.n1*t6) + device.n1*device2.n1*t2*t5 - t3*t9*decay(t3)),
         gamma, delta, part), device.n1*t1, device.kick.hi*t0, t9*M(exp)(-t3)};
 }
+KEEP_PART(Delayed, late_device)
 
 // 1 where the loop is stable, else 0
 static inline REAL stable(REAL roots, REAL alpha, REAL beta, REAL gamma, REAL delta) {
@@ -1348,7 +1378,7 @@ static inline Response ahead_in_phase(REAL psi, REAL at_one, REAL at_minus_one, 
 }
 
 // at_minus_one, kick, together and n_gap of the device
-static inline Device5 device_at_minus_one_kick_together_n_gap(REAL gamma, REAL delta) {
+static inline Device5 device_at_minus_one_kick_together_n_gap_anew(REAL gamma, REAL delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < R(0.0)) {
         const Swinging swinging = swinging_device(&motion, gamma);
@@ -1362,6 +1392,7 @@ static inline Device5 device_at_minus_one_kick_together_n_gap(REAL gamma, REAL d
         rounded(pair_prod(creeping.slow, creeping.far)),
         numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta)};
 }
+KEEP(Device5, device_at_minus_one_kick_together_n_gap)
 
 #ifndef SINGLE
 // cos((k + 1) x) and sin((k + 1) x)
@@ -1396,7 +1427,7 @@ static inline CosSin next_wave(float k, float x) {
 #endif
 
 // at_minus_one, together, n_gap, n0 and n1 of the device
-static inline Device6 device_at_minus_one_together_n_gap_n0_n1(REAL gamma, REAL delta) {
+static inline Device6 device_at_minus_one_together_n_gap_n0_n1_anew(REAL gamma, REAL delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < R(0.0)) {
         const Swinging swinging = swinging_device(&motion, gamma);
@@ -1414,6 +1445,7 @@ static inline Device6 device_at_minus_one_together_n_gap_n0_n1(REAL gamma, REAL 
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
         plant_n1_creep(&motion, &creeping, decayed)};
 }
+KEEP(Device6, device_at_minus_one_together_n_gap_n0_n1)
 
 // has the sign of the slope of the boundary's alpha, d < 1
 static inline REAL early_slope(REAL theta, REAL k4, REAL k3, REAL k2, REAL k1,

@@ -16,6 +16,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "filter.h"
 #include "table.h"
 
 namespace {
@@ -51,12 +52,89 @@ template <class R, class... A, class... Of> struct Kernel<R (*)(A...), Of...> {
     static bool inside(const T *x) { return inside(x, std::index_sequence_for<Of...>()); }
 };
 
+/* Verdicts for which the filter is asked before the kernel, on floats as on doubles: the number of
+ * roots outside, whether it is 0, and (`filtered`) what the filter alone is sure of. */
+double filtered(double count, double, double, double, double) { return count; }
+
+template <auto f> constexpr bool any_of() { return false; }
+template <auto f, auto g, auto... others> constexpr bool any_of() {
+    if constexpr (std::is_same_v<decltype(f), decltype(g)>) {
+        if (f == g) return true;
+    }
+    return any_of<f, others...>();
+}
+template <auto f>
+constexpr bool counts = any_of<f, filtered, haptic_is_stable, haptic_unstable_roots,
+                               haptic_single_is_stable, haptic_single_unstable_roots>();
+
+template <auto f> auto after_filter(double count, double alpha, double beta, double gamma,
+                                    double delta, double delay) {
+    using Found = typename Kernel<decltype(f)>::Found;
+    if constexpr (any_of<f, filtered>()) return filtered(count, alpha, beta, gamma, delta);
+    else if constexpr (std::is_same_v<Found, bool>) {
+        if (count != filter::UNKNOWN) return count == 0;
+        return haptic_is_stable(alpha, beta, gamma, delta, delay);
+    } else if (count >= 0) return Found(count);
+    else return Found(haptic_unstable_roots(alpha, beta, gamma, delta, delay));
+}
+
+/* Walls with or without a fraction of a period, and where they come from. */
+struct Walls {
+    filter::Block block;
+    npy_intp from[filter::BLOCK];
+    int size = 0;
+};
+
+/* Verdicts on these walls; whether all arguments are inside, as far as that matters. */
+template <auto f, class... Of>
+bool flush(Walls &walls, bool fraction, bool once, char *out, npy_intp step) {
+    using K = Kernel<decltype(f), Of...>;
+    using T = typename K::T;
+    const filter::Block &b = walls.block;
+    if (walls.size) filter::counted(walls.block, walls.size, fraction, once);
+    bool all = true;
+    for (int i = 0; i < walls.size; ++i) {
+        const double delay = b.steps[i] + b.part[i];
+        const auto y = after_filter<f>(b.found[i], b.alpha[i], b.beta[i], b.gamma[i], b.delta[i],
+                                       delay);
+        *(typename K::Found *)(out + walls.from[i]*step) = y;
+        const T x[] = {T(b.alpha[i]), T(b.beta[i]), T(b.gamma[i]), T(b.delta[i]), T(delay)};
+        if (!(y > 0)) all &= K::inside(x);
+    }
+    walls.size = 0;
+    return all;
+}
+
+template <auto f, class... Of>
+bool filtered_loop(char **at, npy_intp size, npy_intp const *steps) {
+    using T = typename Kernel<decltype(f)>::T;
+    const bool once = !(steps[2] || steps[3] || steps[4]);
+    bool all = true;
+    Walls walls[2];
+    for (npy_intp n = 0; n < size; ++n) {
+        const auto x = [&](int i) { return double(*(T *)(at[i] + n*steps[i])); };
+        const double delay = x(4), whole = std::floor(delay);
+        const bool fraction = delay != whole;
+        Walls &own = walls[fraction];
+        filter::Block &b = own.block;
+        const int k = own.size++;
+        own.from[k] = n;
+        b.alpha[k] = x(0), b.beta[k] = x(1), b.gamma[k] = x(2), b.delta[k] = x(3);
+        b.steps[k] = whole, b.part[k] = delay - whole;
+        if (own.size == filter::BLOCK) all &= flush<f, Of...>(own, fraction, once, at[5], steps[5]);
+    }
+    for (bool fraction : {false, true})
+        all &= flush<f, Of...>(walls[fraction], fraction, once, at[5], steps[5]);
+    return all;
+}
+
 /* One ufunc's inner loop in one precision. */
 template <auto f, class... Of>
 void loop(char **at, npy_intp const *sizes, npy_intp const *steps, void *) {
     using K = Kernel<decltype(f), Of...>;
     bool all = true;
-    for (npy_intp n = 0; n < sizes[0]; ++n) {
+    if constexpr (counts<f>) all = filtered_loop<f, Of...>(at, sizes[0], steps);
+    else for (npy_intp n = 0; n < sizes[0]; ++n) {
         typename K::T x[K::given];
         typename K::Found y[K::found];
         for (int i = 0; i < K::given; ++i) x[i] = *(typename K::T *)(at[i] + n*steps[i]);
@@ -98,7 +176,13 @@ PyObject *one(PyObject *, PyObject *const *args, Py_ssize_t count) {
     if (count != K::given) Py_RETURN_NONE;
     for (int i = 0; i < K::given; ++i)
         if (!given(args[i], x + i)) Py_RETURN_NONE;
-    K::call(f, x, y);
+    if constexpr (counts<f>) {
+        char *at[K::given + 1];
+        for (int i = 0; i < K::given; ++i) at[i] = (char *)(x + i);
+        at[K::given] = (char *)y;
+        const npy_intp steps[K::given + 1] = {};
+        filtered_loop<f>(at, 1, steps);
+    } else K::call(f, x, y);
     if (!K::inside(x)) Py_RETURN_NONE;
     for (int i = 0; i < K::found; ++i)
         if (y[i] != y[i]) Py_RETURN_NONE;
@@ -156,6 +240,9 @@ int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
     return PyModule_AddStringConstant(module, "STAMP", STAMP) KERNELS(ADD) INSIDE(ADD_INSIDE)
+        || add<filtered, filtered>(module, "certain_roots",
+               "roots outside the circle of (alpha, beta, gamma, delta, d)\n\n"
+               "Where doubles with proved bounds are enough; -1 where not, -2 for at least one.\n")
         ? -1 : 0;
 }
 

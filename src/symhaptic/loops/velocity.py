@@ -314,7 +314,8 @@ class Filter(Velocity):
 
         for name in ("numerator", "denominator"):
             given = getattr(self, name)
-            if isinstance(given, str) or not 1 <= len(given) <= _TERMS:
+            several = hasattr(given, "__len__") and not isinstance(given, str)
+            if not several or not 1 <= len(given) <= _TERMS:
                 raise ValueError(
                     f"{name}: {shown(given)} is not allowed; give 1 to {_TERMS} numbers"
                 )

@@ -5,10 +5,11 @@
 * ``given``, ``arguments``: arguments are checked and made arrays
 * ``containers``: arrays of xarray, Dask, pandas and Pint
 * ``compiled``: chooses between the compiled kernels and those for arrays
+* ``certified``, ``digits``: verdicts and values in balls, where they are asked for
 * ``slopes``: derivatives in JAX
 * ``crossings``, ``cubic``, ``extremum``: what root counts and searches need
 
-`Scene` gives these functions units: see ``scene``.  Imports ``kernels`` and of ``notation``
-nothing symbolic; used by ``loops``, ``bounds``, ``book``, ``scene``, ``sweeps``, ``bench``,
-``check`` and ``cli``.
+`Scene` gives these functions units: see ``scene``.  Imports ``kernels``, ``balls`` and of
+``notation`` nothing symbolic; used by ``loops``, ``bounds``, ``book``, ``scene``, ``sweeps``,
+``bench``, ``check`` and ``cli``.
 """

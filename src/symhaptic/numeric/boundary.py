@@ -16,6 +16,7 @@ from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept
+from symhaptic.numeric.digits import in_digits
 from symhaptic.numeric.given import Given
 from symhaptic.numeric.plant import Device
 from symhaptic.numeric.stability import SHEETS
@@ -128,6 +129,8 @@ def stability_boundary(
     delta: ArrayLike,
     delay: ArrayLike,
     sheet: str = "exact",
+    *,
+    digits: int | None = None,
 ) -> tuple[Array, Array]:
     r"""The wall (alpha, beta) that puts a characteristic root at exp(j theta).
 
@@ -142,6 +145,8 @@ def stability_boundary(
     sheet : {"exact", "principal"}, optional
         Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
         paper's z^-d = exp(-j d theta).
+    digits : int, optional
+        Return balls of python-flint (``flint.arb``) that are right to so many digits.
 
     Returns
     -------
@@ -175,6 +180,10 @@ def stability_boundary(
     (-0.496790118283, 1.241897955708)
     """
     arguments.one_of("sheet", sheet, SHEETS)
+    if digits is not None:
+        return in_digits(  # type: ignore[no-any-return]
+            "stability_boundary", digits, sheet, theta=theta, gamma=gamma, delta=delta, delay=delay
+        )
     given = Given(theta=theta, gamma=gamma, delta=delta, delay=delay)
     found = given(haptic.stability_boundary) if sheet == "exact" else given.each(_principal)
     alpha, beta = (given.xp.where(given.xp.isfinite(found[0]), x, given.xp.nan) for x in found)

@@ -17,7 +17,7 @@ from typing import Any, ParamSpec, TypeVar, cast
 
 import numpy as np
 
-from symhaptic.kernels import STAMP
+from symhaptic.kernels import OF_NUMBERS, STAMP
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -84,6 +84,10 @@ def of(kernel: Callable[..., Any]) -> Callable[..., Any]:
     return cast(Callable[..., Any], getattr(MODULE, name, kernel))
 
 
+WORDS = ("sheet", "tolerance", "threshold", "certified", "digits")
+"""Arguments of public functions that are no arrays."""
+
+
 def at_once(
     name: str,
     into: Callable[..., Any] | None = None,
@@ -100,11 +104,13 @@ def at_once(
 
     def around(function: Callable[P, R]) -> Callable[P, R]:
         ufunc = getattr(MODULE, name, None)
-        if MODULE is None or ufunc is None:
+        if MODULE is None:
+            return _of_numbers(function, name, into)
+        if ufunc is None:
             return function
         outside: Callable[[], bool] = MODULE.outside
         one: Callable[..., Any] = getattr(MODULE, f"one_{name}") if work is None else _nothing
-        names = [n for n in signature(function).parameters if n != "sheet"]
+        names = [n for n in signature(function).parameters if n not in WORDS]
         rows = partial(_in_one_piece, ufunc) if ufunc.nout > 1 else ufunc
         kernel = rows if work is None else partial(work, ufunc)
 
@@ -142,6 +148,34 @@ def at_once(
         return wraps(function)(plain if into is None and not finite else called)
 
     return around
+
+
+def _of_numbers(
+    function: Callable[P, R], name: str, into: Callable[..., Any] | None
+) -> Callable[P, R]:
+    """A function whose calls with floats go to the kernel of plain Python, if there is one."""
+    if name not in OF_NUMBERS:
+        return function
+
+    @wraps(function)
+    def called(*args: P.args, **named: P.kwargs) -> R:
+        if named or not all(type(x) is float or type(x) is int for x in args):
+            return function(*args, **named)
+        from symhaptic.kernels import scalar
+
+        try:
+            found = getattr(scalar, name)(*map(float, cast(tuple[float, ...], args)))
+        except (ArithmeticError, TypeError):  # a zero divisor, or another number of arguments
+            return function(*args, **named)
+        values = found if type(found) is tuple else (found,)
+        if not all(v is not None and -_LARGEST <= v <= _LARGEST for v in values):
+            return function(*args, **named)
+        numbers = [np.bool_(v) if type(v) is bool else np.float64(v) for v in values]
+        made: Any = tuple(numbers) if len(numbers) > 1 else numbers[0]
+        result: R = into(*numbers) if into else made
+        return result
+
+    return called
 
 
 _REUSED = 2**25

@@ -16,13 +16,12 @@ import numpy as np
 
 from symhaptic.notation.quantities import dimensionless, shown
 from symhaptic.numeric.arguments import real
+from symhaptic.numeric.compiled import WORDS
 
 P = ParamSpec("P")
 R = TypeVar("R")
 
 _LIBRARIES = ("pint", "xarray", "dask", "pandas", "torch")
-_WORDS = ("sheet", "tolerance", "threshold")
-"""Arguments that are no arrays."""
 
 
 def kept(
@@ -35,7 +34,7 @@ def kept(
     """
 
     def around(function: Callable[P, R]) -> Callable[P, R]:
-        names = [n for n in inspect.signature(function).parameters if n not in _WORDS]
+        names = [n for n in inspect.signature(function).parameters if n not in WORDS]
 
         @wraps(function)
         def wrapped(*args: P.args, **kwargs: P.kwargs) -> R:

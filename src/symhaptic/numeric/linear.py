@@ -8,12 +8,15 @@ from symhaptic.kernels import haptic
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept
+from symhaptic.numeric.digits import in_digits
 from symhaptic.numeric.given import Given
 
 
 @at_once("linear_limit")
 @kept(alpha=float)
-def linear_limit(beta: ArrayLike, delta: ArrayLike, delay: ArrayLike) -> Array:
+def linear_limit(
+    beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, *, digits: int | None = None
+) -> Array:
     r"""Stiffness limit of the linear stability condition, alpha = (beta + delta)/(delay + 1/2).
 
     The limit is damping over delay; the hold adds half a period to the delay.
@@ -26,6 +29,8 @@ def linear_limit(beta: ArrayLike, delta: ArrayLike, delay: ArrayLike) -> Array:
         Physical damping b T/m, >= 0.
     delay : array_like
         Delay in sampling periods, >= 0, integer or fractional.  All arguments broadcast.
+    digits : int, optional
+        Return balls of python-flint (``flint.arb``) that are right to so many digits.
 
     Returns
     -------
@@ -59,5 +64,9 @@ def linear_limit(beta: ArrayLike, delta: ArrayLike, delay: ArrayLike) -> Array:
     >>> float(linear_limit(0.0, 0.02, 1.5))
     0.01
     """
+    if digits is not None:
+        return in_digits(  # type: ignore[no-any-return]
+            "linear_limit", digits, beta=beta, delta=delta, delay=delay
+        )
     given = Given(beta=beta, delta=delta, delay=delay)
     return given(haptic.linear_limit)  # type: ignore[no-any-return]

@@ -17,11 +17,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.kernels import haptic
 from symhaptic.numeric import arguments, slopes
+from symhaptic.numeric import certified as by_balls
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept
+from symhaptic.numeric.digits import in_digits
 from symhaptic.numeric.extremum import Extremum
-from symhaptic.numeric.given import Given
+from symhaptic.numeric.given import Given, to_numpy
 from symhaptic.numeric.renamed import renamed
 
 SHEETS = ("exact", "principal")
@@ -50,7 +52,13 @@ def _needed(xp: Any, alpha: Any, beta: Any, steps: Any, part: Any) -> Any:
 @kept(margin=float)
 @slopes.in_jax(("margin",), instead="lambdify('passivity_margin', modules='jax') has derivatives")
 def passivity_margin(
-    alpha: ArrayLike, beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    delta: ArrayLike,
+    delay: ArrayLike,
+    sheet: str = "exact",
+    *,
+    digits: int | None = None,
 ) -> Array:
     """Physical damping minus the damping that the wall requires, at its worst angle.
 
@@ -65,6 +73,8 @@ def passivity_margin(
     sheet : {"exact", "principal"}, optional
         Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
         paper's z^-d = exp(-j d theta).
+    digits : int, optional
+        Return balls of python-flint (``flint.arb``) that are right to so many digits.
 
     Returns
     -------
@@ -93,6 +103,10 @@ def passivity_margin(
     [0.5, -0.059017, -0.5]
     """
     arguments.one_of("sheet", sheet, SHEETS)
+    if digits is not None:
+        return in_digits(  # type: ignore[no-any-return]
+            "passivity_margin", digits, sheet, alpha=alpha, beta=beta, delta=delta, delay=delay
+        )
     given = Given(alpha=alpha, beta=beta, delta=delta, delay=delay)
 
     if sheet == "exact" and not given.traced:
@@ -114,6 +128,8 @@ def passivity_margin_at(
     delta: ArrayLike,
     delay: ArrayLike,
     sheet: str = "exact",
+    *,
+    digits: int | None = None,
 ) -> Array:
     r"""Physical damping minus the damping that the wall requires, at one angle.
 
@@ -130,6 +146,8 @@ def passivity_margin_at(
     sheet : {"exact", "principal"}, optional
         Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
         paper's z^-d = exp(-j d theta).
+    digits : int, optional
+        Return balls of python-flint (``flint.arb``) that are right to so many digits.
 
     Returns
     -------
@@ -159,6 +177,17 @@ def passivity_margin_at(
     [0.770151, 0.138338, -0.248376]
     """
     arguments.one_of("sheet", sheet, SHEETS)
+    if digits is not None:
+        return in_digits(  # type: ignore[no-any-return]
+            "passivity_margin_at",
+            digits,
+            sheet,
+            theta=theta,
+            alpha=alpha,
+            beta=beta,
+            delta=delta,
+            delay=delay,
+        )
     given = Given(theta=theta, alpha=alpha, beta=beta, delta=delta, delay=delay)
     if sheet == "exact":
         return given(haptic.passivity_margin_at)  # type: ignore[no-any-return]
@@ -171,9 +200,28 @@ def passivity_margin_at(
     return given.each(margin)  # type: ignore[no-any-return]
 
 
+_NEAR = 2.0**-46
+"""Margins up to this share of the largest sum of terms are compared with 0 in balls: 128 units in
+the last place, of which the kernel needs 2 (`tests/numeric/test_certified.py`)."""
+
+
+def _plain(*values: Any) -> bool:
+    return all(type(v) is float or type(v) is int for v in values)
+
+
+def _room(size: Callable[[Any], Any], alpha: Any, beta: Any, delta: Any, delay: Any) -> Any:
+    return _NEAR * (size(alpha) * (delay + 1) + size(beta) + delta)
+
+
 @kept(is_passive=bool)
 def is_passive(
-    alpha: ArrayLike, beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    delta: ArrayLike,
+    delay: ArrayLike,
+    sheet: str = "exact",
+    *,
+    certified: bool = False,
 ) -> NDArray[np.bool_]:
     """Whether no motion can extract energy from the wall.
 
@@ -188,6 +236,8 @@ def is_passive(
     sheet : {"exact", "principal"}, optional
         Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
         paper's z^-d = exp(-j d theta).
+    certified : bool, optional
+        Enclose every margin in ball arithmetic of up to 1024 bits.
 
     Returns
     -------
@@ -198,20 +248,49 @@ def is_passive(
     ------
     ValueError
         If the wall is infinite, or ``delta`` or ``delay`` is negative or infinite.
+    ArithmeticError
+        If ``certified`` is true and the balls do not tell the sign of a margin.
 
     Notes
     -----
     Walls on the boundary are passive, too; the strict sign of (4) of the paper excludes them.  Only
     the damping of the device counts, not that of an arm, (3).
 
+    A margin that is within rounding of 0 is enclosed in balls, which takes some milliseconds a
+    wall.  If these do not tell its sign, or it is traced, or of a fractional delay with
+    ``sheet="principal"``, the wall counts as not passive.
+
     Examples
     --------
-    >>> is_passive([1.9, 2.1, -0.1], 0.0, 1.0, 0).tolist()
-    [True, False, False]
+    >>> is_passive([1.9, 2.0, 2.1, -0.1], 0.0, 1.0, 0).tolist()
+    [True, True, False, False]
     """
+    arguments.one_of("sheet", sheet, SHEETS)
+    if sheet == "exact" and not certified and _plain(alpha, beta, delta, delay):
+        margin = passivity_margin(alpha, beta, delta, delay)
+        if abs(margin) > _room(abs, alpha, beta, delta, delay):
+            return margin > 0
+    given = Given(alpha=alpha, beta=beta, delta=delta, delay=delay).in_double()
+    if certified:
+        by_balls.whole(sheet, given)
+    al, be, dl, dy = given.values
     if sheet == "exact":  # only without this argument the compiled kernel is called directly
-        return passivity_margin(alpha, beta, delta, delay) >= 0
-    return passivity_margin(alpha, beta, delta, delay, sheet) >= 0
+        margin = passivity_margin(al, be, dl, dy)
+    else:
+        margin = passivity_margin(al, be, dl, dy, sheet)
+    room = _room(given.xp.abs, al, be, dl, dy)
+    sure = margin > room
+    if given.traced and not certified:
+        return sure  # type: ignore[no-any-return]
+    known = to_numpy(margin)
+    near = np.abs(known) <= to_numpy(room)
+    if certified:
+        near = ~np.isnan(known)
+    elif sheet != "exact":
+        near &= np.floor(to_numpy(dy)) == to_numpy(dy)
+    if not near.any():
+        return sure  # type: ignore[no-any-return]
+    return by_balls.passive(given, near, to_numpy(sure), certified)  # type: ignore[no-any-return]
 
 
 def _printed(xp: Any, theta: Any, delay: Any) -> tuple[Any, Any]:
@@ -230,7 +309,12 @@ def _printed(xp: Any, theta: Any, delay: Any) -> tuple[Any, Any]:
 @kept(alpha=float, beta=float)
 @slopes.in_jax(("alpha", "beta"), ("delta",))
 def passivity_boundary(
-    theta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
+    theta: ArrayLike,
+    delta: ArrayLike,
+    delay: ArrayLike,
+    sheet: str = "exact",
+    *,
+    digits: int | None = None,
 ) -> tuple[Array, Array]:
     """The wall (alpha, beta) on the passivity boundary with the worst angle ``theta``.
 
@@ -246,6 +330,9 @@ def passivity_boundary(
     sheet : {"exact", "principal"}, optional
         Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
         paper's z^-d = exp(-j d theta).
+    digits : int, optional
+        Return balls of python-flint (``flint.arb``) that are right to so many digits; for integer
+        delays only.
 
     Returns
     -------
@@ -276,6 +363,10 @@ def passivity_boundary(
     ([0.817217, 0.811125], [0.232804, 0.375311])
     """
     arguments.one_of("sheet", sheet, SHEETS)
+    if digits is not None:
+        return in_digits(  # type: ignore[no-any-return]
+            "passivity_boundary", digits, sheet, theta=theta, delta=delta, delay=delay
+        )
 
     def walls(xp: Any, angle: Any, damping: Any, periods: Any) -> tuple[Any, Any]:
         unit = haptic.elementwise(xp, partial(_printed, xp), angle, periods)
@@ -293,7 +384,9 @@ def passivity_boundary(
     ("delta",),
     instead="lambdify('max_passive_stiffness', modules='jax') has derivatives",
 )
-def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exact") -> Extremum:
+def max_passive_stiffness(
+    delta: ArrayLike, delay: ArrayLike, sheet: str = "exact", *, digits: int | None = None
+) -> Extremum:
     """The passive wall of largest stiffness, with its virtual damping and its worst angle.
 
     Parameters
@@ -305,6 +398,9 @@ def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exac
     sheet : {"exact", "principal"}, optional
         Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
         paper's z^-d = exp(-j d theta).
+    digits : int, optional
+        Return balls of python-flint (``flint.arb``) that are right to so many digits; for integer
+        delays only.
 
     Returns
     -------
@@ -331,6 +427,10 @@ def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exac
     ([2.0, 1.175869, 0.828427], [0.0, 0.323979, 0.292893])
     """
     arguments.one_of("sheet", sheet, SHEETS)
+    if digits is not None:
+        return Extremum(
+            *in_digits("max_passive_stiffness", digits, sheet, delta=delta, delay=delay)
+        )
 
     def stiffest(xp: Any, damping: Any, late: Any) -> tuple[Any, Any, Any]:
         if sheet == "principal":

@@ -16,6 +16,7 @@ from symhaptic.kernels import haptic
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.compiled import MODULE, at_once
 from symhaptic.numeric.containers import kept
+from symhaptic.numeric.digits import in_digits
 from symhaptic.numeric.given import Given
 
 
@@ -181,13 +182,17 @@ def stuck(gamma: Array, delta: Array) -> NDArray[np.bool_]:
 
 @at_once("discretize")
 @kept(n1=float, n0=float, a=float, e=float)
-def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array, Array]:
+def discretize(
+    gamma: ArrayLike, delta: ArrayLike, *, digits: int | None = None
+) -> tuple[Array, Array, Array, Array]:
     """Exact discrete equivalent of the device behind a zero-order hold.
 
     Parameters
     ----------
     gamma, delta : array_like
         Physical stiffness k T^2/m >= 0 and physical damping b T/m >= 0; they broadcast.
+    digits : int, optional
+        Return balls of python-flint (``flint.arb``) that are right to so many digits.
 
     Returns
     -------
@@ -217,6 +222,10 @@ def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array,
     >>> [float(x) for x in discretize(0, 0)]
     [0.5, 0.5, 2.0, 1.0]
     """
+    if digits is not None:
+        return in_digits(  # type: ignore[no-any-return]
+            "discretize", digits, gamma=gamma, delta=delta
+        )
     n1, n0, a, e = Given(gamma=gamma, delta=delta)(haptic.discretize)
     return n1, n0, a, e
 
@@ -224,7 +233,7 @@ def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array,
 @at_once("discretize_fractional")
 @kept(m2=float, m1=float, m0=float, a=float, e=float)
 def discretize_fractional(
-    gamma: ArrayLike, delta: ArrayLike, epsilon: ArrayLike
+    gamma: ArrayLike, delta: ArrayLike, epsilon: ArrayLike, *, digits: int | None = None
 ) -> tuple[Array, Array, Array, Array, Array]:
     """Exact discrete equivalent of the device with a fractional delay.
 
@@ -234,6 +243,8 @@ def discretize_fractional(
         Physical stiffness k T^2/m >= 0 and physical damping b T/m >= 0.
     epsilon : array_like
         Delay in sampling periods, 0 <= epsilon < 1.  All arguments broadcast.
+    digits : int, optional
+        Return balls of python-flint (``flint.arb``) that are right to so many digits.
 
     Returns
     -------
@@ -257,6 +268,10 @@ def discretize_fractional(
     >>> [float(x) for x in discretize_fractional(0, 0, 0.5)]
     [0.125, 0.75, 0.125, 2.0, 1.0]
     """
+    if digits is not None:
+        return in_digits(  # type: ignore[no-any-return]
+            "discretize_fractional", digits, gamma=gamma, delta=delta, epsilon=epsilon
+        )
     given = Given(gamma=gamma, delta=delta, epsilon=epsilon)
     m2, m1, m0, a, e = given(haptic.discretize_fractional)
     return m2, m1, m0, a, e

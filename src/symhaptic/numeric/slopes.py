@@ -16,6 +16,7 @@ from typing import Any, NoReturn, ParamSpec, TypeVar
 import numpy as np
 
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.compiled import WORDS
 from symhaptic.numeric.extremum import Extremum
 
 P = ParamSpec("P")
@@ -47,7 +48,7 @@ def in_jax(
             if not _traced(*args, *named.values()):
                 return function(*args, **named)
             given = signature(function).bind(*args, **named).arguments
-            words = {n: given.pop(n) for n in list(given) if isinstance(given[n], str)}
+            words = {n: given.pop(n) for n in list(given) if n in WORDS}
             found: R = _differentiated(function, tuple(given), words, results, by, slopes, instead)(
                 *given.values()
             )

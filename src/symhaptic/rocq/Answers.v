@@ -36,7 +36,8 @@ Proof.
     exists m, b, k, (t + INR n * p), p; repeat (split; [assumption || reflexivity |]); split.
     { intros s S; rewrite E, (Tf s S), Tr, <- RtoC_mult; unfold Cdiv; ring. }
     split; [exact Z |]; exists x, v; repeat (split; [assumption |]).
-    exists (i + n)%nat, j; rewrite plus_INR; replace ((INR i + INR n - INR j) * p - (t + INR n * p)) with ((INR i - INR j) * p - t) by ring.
+    exists (i + n)%nat, j; rewrite plus_INR;
+      replace ((INR i + INR n - INR j) * p - (t + INR n * p)) with ((INR i - INR j) * p - t) by ring.
     split; [exact R0 |]; rewrite Eq, Cpower_plus; field; apply power_there, Z.
   - intros (Z & m & b & k & t & p & M & Pp & Tp & Tf & _ & x & v & Mo & Tu & One & i & j & R0 & Eq).
     apply RtoC_inj in Tp; subst T.
@@ -46,7 +47,8 @@ Proof.
       - rewrite F; unfold Rminus; rewrite Tr; unfold Cdiv; ring.
       - rewrite Cmult_assoc, <- Cexp_plus, Cexp_nought by (rewrite RtoC_opp, RtoC_mult; ring); ring. }
     split; [exact Z |]; exists x, v; repeat (split; [assumption |]).
-    exists i, (j + n)%nat; rewrite plus_INR; replace ((INR i - (INR j + INR n)) * p - (t - INR n * p)) with ((INR i - INR j) * p - t) by ring.
+    exists i, (j + n)%nat; rewrite plus_INR;
+      replace ((INR i - (INR j + INR n)) * p - (t - INR n * p)) with ((INR i - INR j) * p - t) by ring.
     split; [exact R0 |]; rewrite Cpower_plus; transitivity (z^n * (z^j * x ((INR i - INR j) * p - t)%R))%C; [ring |].
     rewrite Eq; field; apply power_there, Z.
 Qed.
@@ -59,7 +61,8 @@ Proof.
   split.
   - replace (u * f * v (u * t)) with (f * (u * v (u * t))) by ring; apply is_derive_scal.
     exact (is_derive_comp x (fun t => u * t) t _ _ A L).
-  - replace (u ^ 2 * f * F - u * d * (u * f * v (u * t)) - u ^ 2 * g * (f * x (u * t))) with (u * f * (u * (F - d * v (u * t) - g * x (u * t)))) by ring.
+  - replace (u ^ 2 * f * F - u * d * (u * f * v (u * t)) - u ^ 2 * g * (f * x (u * t))) with (u * f * (u * (F - d * v
+      (u * t) - g * x (u * t)))) by ring.
     apply is_derive_scal; exact (is_derive_comp v (fun t => u * t) t _ _ B L).
 Qed.
 Lemma pushed_scaled : forall m b k x v u f, m <> 0 -> u <> 0 -> f <> 0 -> pushed m b k x v ->
@@ -69,13 +72,15 @@ Proof.
   replace (k / f / (m / (u ^ 2 * f))) with (u^2 * (k / m)) by (field; auto).
   replace (b / (u * f) / (m / (u ^ 2 * f))) with (u * (b / m)) by (field; auto).
   replace (/ (m / (u ^ 2 * f))) with (u^2 * f * / m) by (field; auto).
-  assert (L : forall g d F x v y w, moves g d F x v -> (forall t, y t = x t) -> (forall t, w t = v t) -> moves g d F y w).
+  assert (L : forall g d F x v y w, moves g d F x v -> (forall t, y t = x t) -> (forall t, w t = v t) ->
+    moves g d F y w).
   { intros g d G x' v' y w Mv X V t; destruct (Mv t) as [P Q]; rewrite X, V; split.
     - apply (is_derive_ext x'); [intro; rewrite X; reflexivity | exact P].
     - apply (is_derive_ext v'); [intro; rewrite V; reflexivity | exact Q]. }
   split.
   - apply (L _ _ _ _ _ _ _ (moves_scaled _ _ _ _ _ u f A)); intro t; unfold Re; simpl; ring.
-  - replace 0 with (u^2 * f * 0) by ring; apply (L _ _ _ _ _ _ _ (moves_scaled _ _ _ _ _ u f B)); intro t; unfold Im; simpl; ring.
+  - replace 0 with (u^2 * f * 0) by ring; apply (L _ _ _ _ _ _ _ (moves_scaled _ _ _ _ _ u f B)); intro t;
+      unfold Im; simpl; ring.
 Qed.
 Theorem answer_scaled : forall P Q z X (T u f : R), 0 < u -> f <> 0 -> (forall s, Q s = (f * P (s / u))%C) ->
   answers P z X T -> answers Q z (f * X)%C (T / u)%R.
@@ -85,29 +90,36 @@ Proof.
   assert (Uc := Cnot_zero u u0); assert (Fc := Cnot_zero f F).
   exists (m / (u^2 * f)), (b / (u * f)), (k / f), (t / u), (p / u).
   assert (Mn : m / (u^2 * f) <> 0).
-  { apply Rmult_integral_contrapositive; split; [exact M | apply Rinv_neq_0_compat, Rmult_integral_contrapositive; split; [apply pow_nonzero |]; assumption]. }
+  { apply Rmult_integral_contrapositive; split; [exact M | apply Rinv_neq_0_compat, Rmult_integral_contrapositive;
+      split; [apply pow_nonzero |]; assumption]. }
   split; [exact Mn |].
   split; [apply Rdiv_lt_0_compat; assumption |]; split; [reflexivity |]; split.
   { intros s S; rewrite E; set (s' := (s / u)%C).
-    assert (Den : (RtoC (m / (u ^ 2 * f)) * s^2 + RtoC (b / (u * f)) * s + RtoC (k / f) = (m * s'^2 + b * s' + k) / f)%C).
+    assert (Den : (RtoC (m / (u ^ 2 * f)) * s^2 + RtoC (b / (u * f)) * s + RtoC (k / f) =
+      (m * s'^2 + b * s' + k) / f)%C).
     { replace (m / (u ^ 2 * f)) with (m * / u * / u * / f) by (field; split; assumption).
       replace (b / (u * f)) with (b * / u * / f) by (field; split; assumption); unfold Rdiv.
       rewrite !RtoC_mult, !RtoC_inv by assumption; unfold s'; simpl; field; split; assumption. }
     rewrite Den in S |- *; rewrite (Tf s').
-    - replace (- s' * RtoC t)%C with (- s * RtoC (t / u))%C by (unfold s'; rewrite RtoC_div by exact u0; field; exact Uc).
+    - replace (- s' * RtoC t)%C with (- s * RtoC (t / u))%C by (unfold s'; rewrite RtoC_div by exact u0; field;
+        exact Uc).
       field; split; [exact Fc |]; intro Q0; apply S; unfold s' in *; rewrite Q0; field; exact Fc.
     - intro Q0; apply S; rewrite Q0; field; exact Fc. }
   split; [exact Z |]; exists (fun t => f * x (u * t)%R)%C, (fun t => (u * f)%R * v (u * t)%R)%C.
   split; [apply pushed_scaled; assumption |]; assert (Up : u * (p / u) = p) by (field; exact u0).
   split; [unfold turns; rewrite Up, !Rmult_0_r; destruct Tu as [A B]; rewrite A, B; split; ring |]; split.
-  - intros y w My Ty; assert (Mb := pushed_scaled _ _ _ _ _ (/ u) (/ f) Mn (Rinv_neq_0_compat _ u0) (Rinv_neq_0_compat _ F) My).
+  - intros y w My Ty; assert (Mb := pushed_scaled _ _ _ _ _ (/ u) (/ f) Mn (Rinv_neq_0_compat _ u0)
+      (Rinv_neq_0_compat _ F) My).
     replace (m / (u ^ 2 * f) / ((/ u) ^ 2 * / f)) with m in Mb by (field; auto).
     replace (b / (u * f) / (/ u * / f)) with b in Mb by (field; auto).
     replace (k / f / / f) with k in Mb by (field; auto).
     destruct (One _ _ Mb) as [Y W].
-    + unfold turns in *; rewrite !Rmult_0_r; replace (/ u * p) with (p / u) by (unfold Rdiv; ring); destruct Ty as [A B]; rewrite A, B; split; ring.
-    + rewrite !Rmult_0_r in *; rewrite <- Y, <- W, !RtoC_mult, !RtoC_inv by assumption; split; field; repeat split; assumption.
-  - exists i, j; replace ((INR i - INR j) * (p / u) - t / u) with (((INR i - INR j) * p - t) / u) by (field; exact u0).
+    + unfold turns in *; rewrite !Rmult_0_r; replace (/ u * p) with (p / u) by (unfold Rdiv; ring);
+        destruct Ty as [A B]; rewrite A, B; split; ring.
+    + rewrite !Rmult_0_r in *; rewrite <- Y, <- W, !RtoC_mult, !RtoC_inv by assumption; split; field; repeat split;
+        assumption.
+  - exists i, j; replace ((INR i - INR j) * (p / u) - t / u) with (((INR i - INR j) * p - t) / u) by (field;
+      exact u0).
     split.
     + split; [apply Rdiv_le_0_compat; lra |]; apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat, U | lra].
     + replace (u * (((INR i - INR j) * p - t) / u)) with ((INR i - INR j) * p - t) by (field; exact u0).
@@ -119,11 +131,14 @@ Lemma large_square : forall m b k : R, m <> 0 -> exists S, 1 <= S /\ forall s, S
   Rabs m / 2 * s^2 <= Rabs (m * s^2 + b * s + k) <= (Rabs m + Rabs b + Rabs k) * s^2.
 Proof.
   intros m b k M; assert (Pm := Rabs_pos_lt m M); assert (Pb := Rabs_pos b); assert (Pk := Rabs_pos k).
-  exists (1 + 2 * (Rabs b + Rabs k) / Rabs m); assert (Q : 0 <= 2 * (Rabs b + Rabs k) / Rabs m) by (apply Rdiv_le_0_compat; lra).
+  exists (1 + 2 * (Rabs b + Rabs k) / Rabs m);
+    assert (Q : 0 <= 2 * (Rabs b + Rabs k) / Rabs m) by (apply Rdiv_le_0_compat; lra).
   split; [lra |]; intros s S; assert (s1 : 1 <= s) by lra.
   assert (Ms : 2 * (Rabs b + Rabs k) <= Rabs m * s).
-  { replace (2 * (Rabs b + Rabs k)) with (Rabs m * (2 * (Rabs b + Rabs k) / Rabs m)) by (field; lra); apply Rmult_le_compat_l; lra. }
-  assert (A : Rabs (m * s^2) = Rabs m * s^2) by (rewrite Rabs_mult, (Rabs_pos_eq (s^2)); [reflexivity | apply pow2_ge_0]).
+  { replace (2 * (Rabs b + Rabs k)) with (Rabs m * (2 * (Rabs b + Rabs k) / Rabs m)) by (field; lra);
+      apply Rmult_le_compat_l; lra. }
+  assert (A : Rabs (m * s^2) = Rabs m * s^2) by (rewrite Rabs_mult, (Rabs_pos_eq (s^2));
+    [reflexivity | apply pow2_ge_0]).
   assert (B : Rabs (b * s) = Rabs b * s) by (rewrite Rabs_mult, (Rabs_pos_eq s); [reflexivity | lra]).
   assert (Rest : Rabs (b * s + k) <= (Rabs b + Rabs k) * s).
   { eapply Rle_trans; [apply Rabs_triang |]; rewrite B; nra. }
@@ -144,7 +159,8 @@ Proof.
   rewrite (Cexp_at _ (- s * t) 0) by (apply injective_projections; simpl; ring); rewrite cos_0, sin_0.
   apply injective_projections; simpl; ring.
 Qed.
-Lemma transfers_related : forall P m b k t m' b' k' t', m <> 0 -> m' <> 0 -> transfers P m b k t -> transfers P m' b' k' t' ->
+Lemma transfers_related : forall P m b k t m' b' k' t', m <> 0 -> m' <> 0 -> transfers P m b k t ->
+  transfers P m' b' k' t' ->
   exists S, 1 <= S /\ forall s, S <= s -> m' * s^2 + b' * s + k' = (m * s^2 + b * s + k) * exp ((t - t') * s).
 Proof.
   intros P m b k t m' b' k' t' M M' T T'.
@@ -159,10 +175,12 @@ Proof.
   replace (exp (- s * t')) with (exp (- s * t) * exp ((t - t') * s)) in E by (rewrite <- exp_plus; f_equal; ring).
   assert (X := exp_pos (- s * t)); set (q := m * s^2 + b * s + k) in *; set (q' := m' * s^2 + b' * s + k') in *.
   apply Rmult_eq_reg_l with (exp (- s * t)); [| lra].
-  replace (exp (- s * t) * (q * exp ((t - t') * s))) with (exp (- s * t) * exp ((t - t') * s) / q' * (q * q')) by (field; exact N').
+  replace (exp (- s * t) * (q * exp ((t - t') * s))) with (exp (- s * t) * exp ((t - t') * s) / q' * (q * q'))
+    by (field; exact N').
   rewrite E; field; exact N.
 Qed.
-Lemma no_less_delay : forall P m b k t m' b' k' t', m <> 0 -> m' <> 0 -> transfers P m b k t -> transfers P m' b' k' t' -> t <= t'.
+Lemma no_less_delay : forall P m b k t m' b' k' t', m <> 0 -> m' <> 0 -> transfers P m b k t ->
+  transfers P m' b' k' t' -> t <= t'.
 Proof.
   intros P m b k t m' b' k' t' M M' T T'; apply Rnot_lt_le; intro L.
   destruct (transfers_related P _ _ _ _ _ _ _ _ M M' T T') as (S & S1 & E).
@@ -172,24 +190,28 @@ Proof.
   assert (S2 : S <= s) by apply Rmax_l.
   assert (R2 : R <= s) by (eapply Rle_trans; [apply Rmax_l | apply Rmax_r]).
   assert (R3 : R' <= s) by (eapply Rle_trans; [apply Rmax_l | eapply Rle_trans; [apply Rmax_r | apply Rmax_r]]).
-  assert (R4 : d / c / (t - t') <= s) by (eapply Rle_trans; [apply Rmax_r | eapply Rle_trans; [apply Rmax_r | apply Rmax_r]]).
+  assert (R4 : d / c / (t - t') <= s) by (eapply Rle_trans; [apply Rmax_r | eapply Rle_trans;
+    [apply Rmax_r | apply Rmax_r]]).
   specialize (E s S2); specialize (A s R2); specialize (A' s R3); fold c in A; fold d in A'.
   assert (X := exp_pos ((t - t') * s)); assert (Sq : 0 < s^2) by (assert (1 <= s) by lra; nra).
   assert (Y : exp ((t - t') * s) * c <= d).
   { apply Rmult_le_reg_r with (s^2); [exact Sq |]; eapply Rle_trans; [| apply A'].
     rewrite E, Rabs_mult, (Rabs_pos_eq (exp _)) by lra.
-    replace (exp ((t - t') * s) * c * s^2) with (c * s^2 * exp ((t - t') * s)) by ring; apply Rmult_le_compat_r; lra. }
+    replace (exp ((t - t') * s) * c * s^2) with (c * s^2 * exp ((t - t') * s)) by ring; apply Rmult_le_compat_r;
+      lra. }
   assert (Z : d <= (t - t') * s * c).
   { replace d with (d / c / (t - t') * ((t - t') * c)) at 1 by (field; lra).
     replace ((t - t') * s * c) with (s * ((t - t') * c)) by ring; apply Rmult_le_compat_r; [nra | exact R4]. }
   assert (W : 1 + (t - t') * s <= exp ((t - t') * s)) by apply exp_ineq1_le.
   nra.
 Qed.
-Lemma transfers_once : forall P m b k t m' b' k' t', m <> 0 -> m' <> 0 -> transfers P m b k t -> transfers P m' b' k' t' ->
+Lemma transfers_once : forall P m b k t m' b' k' t', m <> 0 -> m' <> 0 -> transfers P m b k t ->
+  transfers P m' b' k' t' ->
   m' = m /\ b' = b /\ k' = k /\ t' = t.
 Proof.
   intros P m b k t m' b' k' t' M M' T T'.
-  assert (E : t' = t) by (apply Rle_antisym; [apply (no_less_delay P m' b' k' t' m b k t) | apply (no_less_delay P m b k t m' b' k' t')]; assumption).
+  assert (E : t' = t) by (apply Rle_antisym;
+    [apply (no_less_delay P m' b' k' t' m b k t) | apply (no_less_delay P m b k t m' b' k' t')]; assumption).
   destruct (transfers_related P _ _ _ _ _ _ _ _ M M' T T') as (S & S1 & Eq); subst t'.
   assert (Same : forall s, S <= s -> m' * s^2 + b' * s + k' = m * s^2 + b * s + k).
   { intros s Ss; rewrite (Eq s Ss); replace ((t - t) * s) with 0 by ring; rewrite exp_0; ring. }
@@ -201,8 +223,10 @@ Lemma pushed_once : forall m b k x v y w, pushed m b k x v -> pushed m b k y w -
   forall t, x t = y t /\ v t = w t.
 Proof.
   intros m b k x v y w [A B] [C D] X V t.
-  destruct (one_motion_always _ _ _ _ _ _ _ A C) with (t := t) as [P Q]; [rewrite X; reflexivity | rewrite V; reflexivity |].
-  destruct (one_motion_always _ _ _ _ _ _ _ B D) with (t := t) as [R S]; [rewrite X; reflexivity | rewrite V; reflexivity |].
+  destruct (one_motion_always _ _ _ _ _ _ _ A C) with (t := t) as [P Q]; [rewrite X; reflexivity | rewrite V;
+    reflexivity |].
+  destruct (one_motion_always _ _ _ _ _ _ _ B D) with (t := t) as [R S]; [rewrite X; reflexivity | rewrite V;
+    reflexivity |].
   split; apply injective_projections; assumption.
 Qed.
 (* A sample may be taken at the end of a period or at the beginning of the next one. *)
@@ -211,24 +235,30 @@ Lemma same_sample : forall z p t (x : R -> C) X Y (i j i' j' : nat), z <> RtoC 0
   0 <= (INR i' - INR j') * p - t <= p -> (z^j' * x ((INR i' - INR j') * p - t)%R = z^i' * Y)%C -> X = Y.
 Proof.
   assert (One : forall z p t (x : R -> C) X Y (i j i' j' : nat), z <> RtoC 0 -> 0 < p -> x p = (z * x 0)%C ->
-    (i + j' <= i' + j)%nat -> 0 <= (INR i - INR j) * p - t <= p -> (z^j * x ((INR i - INR j) * p - t)%R = z^i * X)%C ->
+    (i + j' <= i' + j)%nat -> 0 <= (INR i - INR j) * p - t <= p ->
+      (z^j * x ((INR i - INR j) * p - t)%R = z^i * X)%C ->
     0 <= (INR i' - INR j') * p - t <= p -> (z^j' * x ((INR i' - INR j') * p - t)%R = z^i' * Y)%C -> X = Y).
   { intros z p t x X Y i j i' j' Z P Tu Le R0 E R1 F; apply le_INR in Le as Lr; rewrite !plus_INR in Lr.
     assert (Cancel : forall n a b, (z^n * a = z^n * b)%C -> a = b).
-    { intros n a b Q; assert (N := power_there z n Z); replace a with (z^n * a / z^n)%C by (field; exact N); rewrite Q; field; exact N. }
+    { intros n a b Q; assert (N := power_there z n Z); replace a with (z^n * a / z^n)%C by (field; exact N);
+        rewrite Q; field; exact N. }
     destruct (Nat.eq_dec (i + j') (i' + j)) as [Q | Q].
     - assert (Qr : INR i + INR j' = INR i' + INR j) by (rewrite <- !plus_INR; f_equal; exact Q).
       replace (INR i' - INR j') with (INR i - INR j) in F by lra; set (y := x ((INR i - INR j) * p - t)) in *.
       apply (Cancel (i + j')%nat); rewrite Q at 2; rewrite !Cpower_plus.
-      transitivity (z^j' * (z^i * X))%C; [ring |]; rewrite <- E; transitivity (z^j * (z^j' * y))%C; [ring |]; rewrite F; ring.
-    - assert (N : (i + j' + 1 <= i' + j)%nat) by lia; apply le_INR in N as Nr; rewrite !plus_INR in Nr; simpl (INR 1) in Nr.
+      transitivity (z^j' * (z^i * X))%C; [ring |]; rewrite <- E; transitivity (z^j * (z^j' * y))%C; [ring |];
+        rewrite F; ring.
+    - assert (N : (i + j' + 1 <= i' + j)%nat) by lia; apply le_INR in N as Nr; rewrite !plus_INR in Nr;
+        simpl (INR 1) in Nr.
       assert (Up : (INR i' - INR j') * p - t = p /\ (INR i - INR j) * p - t = 0).
       { assert ((INR i + 1 - INR j) * p <= (INR i' - INR j') * p) by (apply Rmult_le_compat_r; lra); lra. }
       destruct Up as [U1 U0]; rewrite U0 in E; rewrite U1, Tu in F.
       assert (Q' : (i' + j = i + j' + 1)%nat).
       { apply INR_eq; rewrite !plus_INR; simpl (INR 1); apply Rmult_eq_reg_r with p; lra. }
-      apply (Cancel (i + j' + 1)%nat); rewrite <- Q' at 2; rewrite !Cpower_plus; replace (z^1)%C with z by (simpl; ring).
-      transitivity (z^j' * z * (z^i * X))%C; [ring |]; rewrite <- E; transitivity (z^j * (z^j' * (z * x 0)))%C; [ring |]; rewrite F; ring. }
+      apply (Cancel (i + j' + 1)%nat); rewrite <- Q' at 2; rewrite !Cpower_plus; replace (z^1)%C with z by (simpl;
+        ring).
+      transitivity (z^j' * z * (z^i * X))%C; [ring |]; rewrite <- E; transitivity (z^j * (z^j' * (z * x 0)))%C;
+        [ring |]; rewrite F; ring. }
   intros z p t x X Y i j i' j' Z P Tu R0 E R1 F; destruct (Nat.le_ge_cases (i + j') (i' + j)) as [L | L].
   - exact (One z p t x X Y i j i' j' Z P Tu L R0 E R1 F).
   - symmetry; exact (One z p t x Y X i' j' i j Z P Tu L R1 F R0 E).
@@ -239,7 +269,8 @@ Proof.
     (m' & b' & k' & t' & p' & M' & Pp' & Tp' & Tf' & _ & y & w & Mo' & Tu' & _ & i' & j' & R1 & F).
   destruct (transfers_once P _ _ _ _ _ _ _ _ M M' Tf Tf') as (Em & Eb & Ek & Et); subst m' b' k' t'.
   rewrite Tp in Tp'; apply RtoC_inj in Tp'; subst p'.
-  destruct (One y w Mo' Tu') as [Y0 W0]; destruct (pushed_once _ _ _ _ _ _ _ Mo Mo' (eq_sym Y0) (eq_sym W0) ((INR i' - INR j') * p - t)) as [Q _].
+  destruct (One y w Mo' Tu') as [Y0 W0];
+    destruct (pushed_once _ _ _ _ _ _ _ Mo Mo' (eq_sym Y0) (eq_sym W0) ((INR i' - INR j') * p - t)) as [Q _].
   rewrite <- Q in F; exact (same_sample z p t x X Y i j i' j' Z Pp (proj1 Tu) R0 E R1 F).
 Qed.
 
@@ -251,11 +282,13 @@ Definition state (p q : C) (t : R) : C := (x1 t * p + x2 t * q + x3 t / m)%C.
 Definition rate (p q : C) (t : R) : C := (v1 t * p + v2 t * q + v3 t / m)%C.
 Lemma state_starts : forall p q, state p q 0 = p /\ rate p q 0 = q.
 Proof.
-  intros p q; destruct M as [_ P1 Q1 _ P2 Q2 _ P3 Q3]; unfold state, rate; rewrite P1, Q1, P2, Q2, P3, Q3; split; unfold Cdiv; ring.
+  intros p q; destruct M as [_ P1 Q1 _ P2 Q2 _ P3 Q3]; unfold state, rate; rewrite P1, Q1, P2, Q2, P3, Q3; split;
+    unfold Cdiv; ring.
 Qed.
 Lemma state_pushed : forall p q, pushed m b k (state p q) (rate p q).
 Proof.
-  intros p q; assert (L : forall F x v y w, moves (k / m) (b / m) F x v -> (forall t, y t = x t) -> (forall t, w t = v t) -> moves (k / m) (b / m) F y w).
+  intros p q; assert (L : forall F x v y w, moves (k / m) (b / m) F x v -> (forall t, y t = x t) ->
+    (forall t, w t = v t) -> moves (k / m) (b / m) F y w).
   { intros G x' v' y w Mv X V t; destruct (Mv t) as [P Q]; rewrite X, V; split.
     - apply (is_derive_ext x'); [intro; rewrite X; reflexivity | exact P].
     - apply (is_derive_ext v'); [intro; rewrite V; reflexivity | exact Q]. }
@@ -276,19 +309,24 @@ Theorem held_answer : forall P z X l u, transfers P m b k (INR l + u) -> 0 <= u 
   let g := fun t => (RtoC (x3 t) / m)%C in let h := fun t => (RtoC (v3 t) / m)%C in
   let x := (g (1 - u)%R / z^l + (x1 (1 - u)%R * g u + x2 (1 - u)%R * h u) / z^(S l))%C in
   let v := (h (1 - u)%R / z^l + (v1 (1 - u)%R * g u + v2 (1 - u)%R * h u) / z^(S l))%C in
-  (answers P z X 1 <-> z <> RtoC 0 /\ determinant z <> RtoC 0 /\ (X * determinant z = (z - v2 1%R) * x + x2 1%R * v)%C).
+  (answers P z X 1 <-> z <> RtoC 0 /\ determinant z <> RtoC 0 /\ (X * determinant z =
+    (z - v2 1%R) * x + x2 1%R * v)%C).
 Proof.
   intros P z X l u Tf U g h x v; assert (Mc := Cnot_zero m M0).
   set (s := ((z - v2 1%R) * g 1%R + x2 1%R * h 1%R)%C); set (r := (v1 1%R * g 1%R + (z - x1 1%R) * h 1%R)%C).
   (* The state that turns, times the determinant, and where it is at the sample. *)
-  assert (Sample : z <> RtoC 0 -> (x1 (1 - u)%R * s + x2 (1 - u)%R * r + g (1 - u)%R * determinant z = z^(S l) * ((z - v2 1%R) * x + x2 1%R * v))%C).
+  assert (Sample : z <> RtoC 0 ->
+    (x1 (1 - u)%R * s + x2 (1 - u)%R * r + g (1 - u)%R * determinant z =
+    z^(S l) * ((z - v2 1%R) * x + x2 1%R * v))%C).
   { intro Z; assert (St := steady_sample _ _ _ _ _ _ _ _ u z M U); cbv zeta in St; unfold steady_place in St.
     repeat first [rewrite RtoC_plus in St | rewrite RtoC_minus in St | rewrite RtoC_mult in St].
     assert (N := power_there z l Z); unfold x, v, s, r, g, h, determinant; cbn [Cpower] in St |- *.
     match type of St with ?a = ?b => assert (Q : (a / m = b / m)%C) by (rewrite St; reflexivity) end.
     etransitivity; [| etransitivity; [exact Q |]]; field; repeat split; assumption. }
-  assert (Turn : forall p q, turns z 1 (state p q) (rate p q) <-> ((z - x1 1%R) * p - x2 1%R * q = g 1%R)%C /\ ((z - v2 1%R) * q - v1 1%R * p = h 1%R)%C).
-  { intros p q; destruct (state_starts p q) as [S0 R0]; unfold turns; rewrite S0, R0; unfold state, rate; fold (g 1%R) (h 1%R); split; intros [A B]; split.
+  assert (Turn : forall p q, turns z 1 (state p q) (rate p q) <-> ((z - x1 1%R) * p - x2 1%R * q =
+    g 1%R)%C /\ ((z - v2 1%R) * q - v1 1%R * p = h 1%R)%C).
+  { intros p q; destruct (state_starts p q) as [S0 R0]; unfold turns; rewrite S0, R0; unfold state, rate;
+      fold (g 1%R) (h 1%R); split; intros [A B]; split.
     - transitivity (z * p - x1 1%R * p - x2 1%R * q)%C; [ring |]; rewrite <- A; ring.
     - transitivity (z * q - v2 1%R * q - v1 1%R * p)%C; [ring |]; rewrite <- B; ring.
     - rewrite <- A; ring.
@@ -298,15 +336,20 @@ Proof.
     destruct (transfers_once P _ _ _ _ _ _ _ _ M' M0 Tf' Tf) as (Em & Eb & Ek & Et); subst m' b' k' t.
     apply RtoC_inj in Tp; subst p; split; [exact Z |].
     assert (Ty : turns z 1 (state (y 0) (w 0)) (rate (y 0) (w 0))).
-    { destruct (state_starts (y 0) (w 0)) as [S0 Q0]; unfold turns; rewrite S0, Q0, <- (proj1 (state_of y w Mo 1)), <- (proj2 (state_of y w Mo 1)); exact Tu. }
+    { destruct (state_starts (y 0) (w 0)) as [S0 Q0]; unfold turns;
+        rewrite S0, Q0, <- (proj1 (state_of y w Mo 1)), <- (proj2 (state_of y w Mo 1)); exact Tu. }
     assert (There := proj1 (state_of y w Mo (1 - u))); set (p := y 0) in *; set (q := w 0) in *.
     apply Turn in Ty; destruct Ty as [T1 T2].
     assert (D0 : determinant z <> RtoC 0).
-    { intro D0; assert (Kernel : forall c d, ((z - x1 1%R) * c - x2 1%R * d = RtoC 0)%C -> ((z - v2 1%R) * d - v1 1%R * c = RtoC 0)%C -> c = RtoC 0 /\ d = RtoC 0).
-      { intros c d C D; destruct (One (state (p + c)%C (q + d)%C) (rate (p + c)%C (q + d)%C) (state_pushed _ _)) as [A B].
+    { intro D0; assert (Kernel : forall c d, ((z - x1 1%R) * c - x2 1%R * d = RtoC 0)%C ->
+        ((z - v2 1%R) * d - v1 1%R * c = RtoC 0)%C -> c = RtoC 0 /\ d = RtoC 0).
+      { intros c d C D; destruct (One (state (p + c)%C (q + d)%C) (rate (p + c)%C (q +
+          d)%C) (state_pushed _ _)) as [A B].
         - apply Turn; split.
-          + transitivity ((z - x1 1%R) * p - x2 1%R * q + ((z - x1 1%R) * c - x2 1%R * d))%C; [ring | rewrite T1, C; ring].
-          + transitivity ((z - v2 1%R) * q - v1 1%R * p + ((z - v2 1%R) * d - v1 1%R * c))%C; [ring | rewrite T2, D; ring].
+          + transitivity ((z - x1 1%R) * p - x2 1%R * q + ((z - x1 1%R) * c - x2 1%R * d))%C; [ring | rewrite T1, C;
+              ring].
+          + transitivity ((z - v2 1%R) * q - v1 1%R * p + ((z - v2 1%R) * d - v1 1%R * c))%C; [ring | rewrite T2, D;
+              ring].
         - rewrite (proj1 (state_starts _ _)) in A; rewrite (proj2 (state_starts _ _)) in B; fold p q in A, B; split.
           + replace c with (p + c - p)%C by ring; rewrite A; ring.
           + replace d with (q + d - q)%C by ring; rewrite B; ring. }
@@ -320,9 +363,11 @@ Proof.
     { unfold s, determinant; rewrite <- T1, <- T2; ring. }
     assert (Qr : (determinant z * q = r)%C).
     { unfold r, determinant; rewrite <- T1, <- T2; ring. }
-    assert (Xs : (z^0 * y ((INR (S l) - INR 0) * 1 - (INR l + u))%R = z^(S l) * ((z - v2 1%R) * x + x2 1%R * v) / determinant z)%C).
+    assert (Xs : (z^0 * y ((INR (S l) - INR 0) * 1 - (INR l + u))%R =
+      z^(S l) * ((z - v2 1%R) * x + x2 1%R * v) / determinant z)%C).
     { rewrite S_INR; replace ((INR l + 1 - INR 0) * 1 - (INR l + u)) with (1 - u) by (simpl; ring).
-      rewrite There, <- Sample by exact Z; unfold state; fold (g (1 - u)%R); rewrite <- Ps, <- Qr; simpl; field; exact D0. }
+      rewrite There, <- Sample by exact Z; unfold state; fold (g (1 - u)%R); rewrite <- Ps, <- Qr; simpl; field;
+        exact D0. }
     assert (Eq : X = (((z - v2 1%R) * x + x2 1%R * v) / determinant z)%C).
     { apply (same_sample z 1 (INR l + u) y X _ i j (S l) O Z Pp (proj1 Tu) R0 E).
       - rewrite S_INR; simpl (INR 0); lra.
@@ -335,10 +380,13 @@ Proof.
     { apply Turn; unfold p, q, s, r; split; unfold determinant in *; field; exact D0. }
     split; [exact Ty |]; split.
     + intros y w Mo Tu; assert (Tw : turns z 1 (state (y 0) (w 0)) (rate (y 0) (w 0))).
-      { destruct (state_starts (y 0) (w 0)) as [S0 Q0]; unfold turns; rewrite S0, Q0, <- (proj1 (state_of y w Mo 1)), <- (proj2 (state_of y w Mo 1)); exact Tu. }
-      apply Turn in Tw; destruct Tw as [T1 T2]; rewrite (proj1 (state_starts p q)), (proj2 (state_starts p q)); unfold p, q, s, r; rewrite <- T1, <- T2.
+      { destruct (state_starts (y 0) (w 0)) as [S0 Q0]; unfold turns;
+          rewrite S0, Q0, <- (proj1 (state_of y w Mo 1)), <- (proj2 (state_of y w Mo 1)); exact Tu. }
+      apply Turn in Tw; destruct Tw as [T1 T2]; rewrite (proj1 (state_starts p q)), (proj2 (state_starts p q));
+        unfold p, q, s, r; rewrite <- T1, <- T2.
       split; unfold determinant in *; field; exact D0.
-    + exists (S l), O; rewrite S_INR; simpl (INR 0); replace ((INR l + 1 - 0) * 1 - (INR l + u)) with (1 - u) by ring; split; [lra |].
+    + exists (S l), O; rewrite S_INR; simpl (INR 0);
+        replace ((INR l + 1 - 0) * 1 - (INR l + u)) with (1 - u) by ring; split; [lra |].
       replace X with (X * determinant z / determinant z)%C by (field; exact D0); rewrite E.
       transitivity (z^(S l) * ((z - v2 1%R) * x + x2 1%R * v) / determinant z)%C; [| unfold Cdiv; ring].
       rewrite <- Sample by exact Z; unfold state, p, q; fold (g (1 - u)%R); simpl; field; exact D0.
@@ -355,10 +403,12 @@ Qed.
 Theorem answer_units : forall P Q z X Y (T u f : R) S, 0 < u -> f <> 0 -> (forall s, Q s = (f * P (s / u))%C) ->
   Y = (f * X)%C -> S = RtoC (T / u) -> (answers P z X T <-> answers Q z Y S).
 Proof.
-  intros P Q z X Y T u f S U F E EY ES; subst Y S; assert (Fc := Cnot_zero f F); assert (Uc := Cnot_zero u ltac:(lra)).
+  intros P Q z X Y T u f S U F E EY ES; subst Y S; assert (Fc := Cnot_zero f F);
+    assert (Uc := Cnot_zero u ltac:(lra)).
   split; intro A; [exact (answer_scaled P Q z X T u f U F E A) |].
   replace X with (RtoC (/ f) * (f * X))%C by (rewrite RtoC_inv by exact F; field; exact Fc).
   replace T with (T / u / / u) by (field; lra).
   apply (answer_scaled Q P); [apply Rinv_0_lt_compat, U | apply Rinv_neq_0_compat, F | | exact A].
-  intro s; rewrite E, !RtoC_inv by (try exact F; lra); replace (s / (/ u) / u)%C with s by (field; exact Uc); field; exact Fc.
+  intro s; rewrite E, !RtoC_inv by (try exact F; lra); replace (s / (/ u) / u)%C with s by (field; exact Uc); field;
+    exact Fc.
 Qed.

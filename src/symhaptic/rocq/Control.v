@@ -51,17 +51,20 @@ Proof.
 Qed.
 Lemma Cexp_half_turn_back : forall (x : R) z, z = (RtoC x - Ci * RtoC PI)%C -> Cexp z = RtoC (- exp x).
 Proof.
-  intros x z E; rewrite (Cexp_at z x (- PI)), cos_neg, sin_neg, cos_PI, sin_PI by (rewrite E; apply injective_projections; simpl; ring).
+  intros x z E; rewrite (Cexp_at z x (- PI)), cos_neg, sin_neg, cos_PI, sin_PI by (rewrite E;
+    apply injective_projections; simpl; ring).
   apply injective_projections; simpl; ring.
 Qed.
 Lemma Cexp_turn : forall (x : R) z, z = (RtoC x + 2 * Ci * RtoC PI)%C -> Cexp z = RtoC (exp x).
 Proof.
-  intros x z E; rewrite (Cexp_at z x (2 * PI)), cos_2PI, sin_2PI by (rewrite E; apply injective_projections; simpl; ring).
+  intros x z E; rewrite (Cexp_at z x (2 * PI)), cos_2PI, sin_2PI by (rewrite E; apply injective_projections; simpl;
+    ring).
   apply injective_projections; simpl; ring.
 Qed.
 Lemma Cexp_turn_back : forall (x : R) z, z = (RtoC x - 2 * Ci * RtoC PI)%C -> Cexp z = RtoC (exp x).
 Proof.
-  intros x z E; rewrite (Cexp_at z x (- (2 * PI))), cos_neg, sin_neg, cos_2PI, sin_2PI by (rewrite E; apply injective_projections; simpl; ring).
+  intros x z E; rewrite (Cexp_at z x (- (2 * PI))), cos_neg, sin_neg, cos_2PI, sin_2PI by (rewrite E;
+    apply injective_projections; simpl; ring).
   apply injective_projections; simpl; ring.
 Qed.
 Lemma Cexp_quarter_turn : forall (x : R) z, z = (RtoC x + Ci * RtoC (PI / 2))%C -> Cexp z = (RtoC (exp x) * Ci)%C.
@@ -69,7 +72,8 @@ Proof.
   intros x z E; rewrite (Cexp_at z x (PI / 2)), cos_PI2, sin_PI2 by exact E.
   apply injective_projections; simpl; ring.
 Qed.
-Lemma Cexp_quarter_turn_back : forall (x : R) z, z = (RtoC x - Ci * RtoC (PI / 2))%C -> Cexp z = (- (RtoC (exp x) * Ci))%C.
+Lemma Cexp_quarter_turn_back : forall (x : R) z, z = (RtoC x - Ci * RtoC (PI / 2))%C ->
+  Cexp z = (- (RtoC (exp x) * Ci))%C.
 Proof.
   intros x z E; rewrite (Cexp_at z x (- (PI / 2))), cos_neg, sin_neg, cos_PI2, sin_PI2
     by (rewrite E; apply injective_projections; simpl; ring).
@@ -77,8 +81,10 @@ Proof.
 Qed.
 Ltac turned_to x :=
   first
-    [ rewrite (Cexp_half_turn x) by (Cpushed; first [ring | field; Cnz]) | rewrite (Cexp_half_turn_back x) by (Cpushed; first [ring | field; Cnz])
-    | rewrite (Cexp_turn x) by (Cpushed; first [ring | field; Cnz]) | rewrite (Cexp_turn_back x) by (Cpushed; first [ring | field; Cnz])
+    [ rewrite (Cexp_half_turn x) by (Cpushed; first [ring | field;
+      Cnz]) | rewrite (Cexp_half_turn_back x) by (Cpushed; first [ring | field; Cnz])
+    | rewrite (Cexp_turn x) by (Cpushed; first [ring | field; Cnz]) | rewrite (Cexp_turn_back x) by (Cpushed;
+      first [ring | field; Cnz])
     | rewrite (Cexp_quarter_turn x) by (Cpushed; first [ring | field; Cnz])
     | rewrite (Cexp_quarter_turn_back x) by (Cpushed; first [ring | field; Cnz]) ];
   rewrite ?exp_0; Cpushed; first [reflexivity | ring].
@@ -94,14 +100,16 @@ Ltac apart_by :=
     end].
 (* (-1)^n is its own inverse. *)
 Lemma sign_square : forall n, ((- RtoC 1) ^ n * (- RtoC 1) ^ n = RtoC 1)%C.
-Proof. intro n; rewrite <- Cpower_product; replace (- RtoC 1 * - RtoC 1)%C with (RtoC 1) by ring; apply Cpower_one. Qed.
+Proof. intro n; rewrite <- Cpower_product; replace (- RtoC 1 * - RtoC 1)%C with (RtoC 1) by ring;
+  apply Cpower_one. Qed.
 Lemma sign_apart : forall n, ((- RtoC 1) ^ n)%C <> RtoC 0.
 Proof. intros n E; assert (S := sign_square n); rewrite E in S; apply (f_equal fst) in S; simpl in S; lra. Qed.
 Lemma Cpower_opposite : forall z n, ((- z) ^ n = (- RtoC 1) ^ n * z ^ n)%C.
 Proof. intros z n; rewrite <- Cpower_product; f_equal; ring. Qed.
 Ltac opposed :=
   let z := fresh "z" in
-  intro z; cbv beta; natural_powers; repeat rewrite Cpower_plus; repeat rewrite (Cpower_opposite z); cbn [Cpower]; Cpushed;
+  intro z; cbv beta; natural_powers; repeat rewrite Cpower_plus; repeat rewrite (Cpower_opposite z); cbn [Cpower];
+    Cpushed;
   repeat match goal with S : ((- RtoC 1) ^ ?n * (- RtoC 1) ^ ?n)%C = RtoC 1 |- _ =>
     let e := fresh "s" in generalize dependent ((- RtoC 1) ^ n)%C; intros e S
   end;
@@ -140,11 +148,13 @@ Ltac of_device_by F :=
   match goal with V : device _ _ _ _ _ _ |- _ => let K := fresh in assert (K := F _ _ _ _ _ _ V); finish K end.
 Ltac wholes_counted := opened; repeat match goal with W : whole ?x |- _ => destruct W as [? ?] end.
 Ltac characteristic_powers :=
-  let z := fresh "z" in intro z; unfold characteristic; natural_powers; repeat rewrite Cpower_plus; cbn [Cpower]; summed.
+  let z := fresh "z" in intro z; unfold characteristic; natural_powers; repeat rewrite Cpower_plus; cbn [Cpower];
+    summed.
 Ltac counted_delay :=
   first
     [ rewrite !INR_IZR_INZ; simpl; lra
-    | repeat match goal with E : _ = INR ?n |- context [INR ?n] => rewrite <- E end; simpl; first [ring | field; nz] ].
+    | repeat match goal with E : _ = INR ?n |- context [INR ?n] => rewrite <- E end; simpl; first [ring | field;
+      nz] ].
 Ltac counted_back := match goal with E : _ = INR ?n |- context [INR ?n] => rewrite <- E; assumption end.
 Ltac counted_turn x := match goal with E : _ = INR ?n |- context [INR ?n] => rewrite <- E end; turned_to x.
 Ltac same_kernel := cbv beta; first [same_field | by_squares].
@@ -183,14 +193,16 @@ Ltac principal_half :=
   let H := fresh in let x := fresh "x" in let y := fresh "y" in let X := fresh in let Y := fresh in let Z := fresh in
   match goal with V : device ?g ?h ?n1 ?n0 ?a ?e, W : whole ?l |- stable_principal ?al ?be _ _ _ <-> _ =>
     destruct W as [n E]; replace (l + 1/2) with (INR n + 1/2) by (rewrite <- E; reflexivity);
-    apply (iff_trans (half_a_period al be g h n n1 n0 a e V)); clear V; split; intros H x y; [intros [X Y] | intros X Y]
+    apply (iff_trans (half_a_period al be g h n n1 n0 a e V)); clear V; split; intros H x y;
+      [intros [X Y] | intros X Y]
   end;
   [ split; [intro Z; apply (f_equal fst) in Z; simpl in Z; lra | intro Z; apply (H x y X Y); rewrite <- Z]
   | intro Z; apply (proj2 (H x y (conj X Y))); rewrite <- Z ];
   unfold characteristic; natural_powers; repeat rewrite Cpower_plus; cbn [Cpower]; summed.
 Ltac pole_held :=
   intros; opened; match goal with P : pole _ _ _ _ _ _ |- _ => apply (held_by_a_pole _ _ _ _ _ _ P); assumption end.
-Ltac swung_as := let t := fresh "t" in let A := fresh in let B := fresh in split; intros [t [A B]]; exists t; split; lra.
+Ltac swung_as := let t := fresh "t" in let A := fresh in let B := fresh in split; intros [t [A B]]; exists t; split;
+  lra.
 
 (* -- what is known of passive filters, walls and steady states, as chapters say it ------------------ *)
 
@@ -220,30 +232,36 @@ Ltac as_taps :=
     let P := fresh in assert (P := Cpower_apart z n Z);
     let q := fresh "q" in generalize dependent (Cpower z n); intros q P
   end;
-  Cpushed; first [ring | undivided; field; repeat split; Cnz].
+  Cpushed; cbn [Cpower]; first [ring | undivided; field; repeat split; Cnz].
 Lemma toeplitz_as : forall H c l (s : R) (m : R -> R), (forall z, z <> RtoC 0 -> H z = taps l z) -> static l = s ->
   (forall t, cos t < 1 -> margin c l t = m t) -> (passive H c <-> 0 <= s /\ forall t, 0 < t < PI -> 0 <= m t).
 Proof.
-  intros H c l s m E S M; apply (iff_trans (toeplitz H c l E)); rewrite S; split; intros [A B]; (split; [exact A |]); intros t T;
+  intros H c l s m E S M; apply (iff_trans (toeplitz H c l E)); rewrite S; split; intros [A B]; (split;
+    [exact A |]); intros t T;
     assert (N := cos_below_one t ltac:(lra)); [rewrite <- M by lra | rewrite M by lra]; exact (B t T).
 Qed.
 Ltac a_cosine := first
-  [ rewrite ?Rmult_0_l, ?cos_0; reflexivity | f_equal; rewrite ?S_INR; counted_real | rewrite <- cos_neg; f_equal; rewrite ?S_INR; counted_real ].
+  [ rewrite ?Rmult_0_l, ?cos_0; reflexivity | f_equal; rewrite ?S_INR; counted_real | rewrite <- cos_neg; f_equal;
+    rewrite ?S_INR; counted_real ].
 Ltac circled T := assert (cos T < 1) by (apply cos_below_one; lra).
 Ltac as_passive F :=
-  let P := fresh in let S := fresh in let t := fresh "t" in let A := fresh in let B := fresh in let Q := fresh in let M := fresh in
+  let P := fresh "P" in let S := fresh "S" in let t := fresh "t" in let A := fresh "A" in let B := fresh "B" in
+  let Q := fresh "Q" in let M := fresh "M" in
   split; intro P; [opened | destruct P as [S P]];
   [ match goal with G : passive _ _ |- _ => apply F in G; destruct G as [S M] end; split; [solve [finish S] |];
-    intros t [A B]; circled t; specialize (M t (conj A B)); cbv beta in M; opened; repeat split; first [assumption | nz]
+    intros t [A B]; circled t; specialize (M t (conj A B)); cbv beta in M; opened; repeat split;
+      first [assumption | nz]
   | opened; repeat (split; [solve [nz] |]); apply F; split; [opened; solve [finish S] |];
     intros t [A B]; cbv beta; assert (Q := P t (conj A B)); opened; assumption ].
 Ltac wall_of_filter := intros; opened; wholes_counted;
   match goal with E : ?d = INR ?m |- passive_wall ?K ?B ?b ?T ?d <-> _ =>
-    rewrite E; peeled; apply whole_wall; [assumption |]; let Z := fresh in intros ? Z; rewrite Craised_number; reflexivity
+    rewrite E; peeled; apply whole_wall; [assumption |]; let Z := fresh in intros ? Z; rewrite Craised_number;
+      reflexivity
   end.
 Ltac late_wall_of_filter := intros; opened; wholes_counted;
   match goal with E : ?l = INR ?m |- passive_wall ?K ?B ?b ?T (?u + ?l) <-> _ =>
-    rewrite E; replace (u + INR m) with (INR m + u) by ring; peeled; apply late_wall; [assumption | assumption | split; assumption | |];
+    rewrite E; replace (u + INR m) with (INR m + u) by ring; peeled; apply late_wall;
+      [assumption | assumption | split; assumption | |];
     [ let z := fresh "z" in let Z := fresh in intros z Z; rewrite Craised_number, (Craised_inverse z _ (S m) Z)
         by (rewrite S_INR, RtoC_plus; ring); assert (P := Cpower_apart z m Z); cbn [Cpower]; undivided;
       field; repeat split; first [assumption | Cnz]
@@ -298,15 +316,18 @@ Ltac answer_unique := opened; match goal with A : answers ?P ?z ?X ?T, B : answe
   end.
 Ltac shown_transfer :=
   let s := fresh "s" in intros s _; cbv beta; f_equal;
-  [ first [ symmetry; apply Cexp_nought; simpl INR; Cpushed; ring | f_equal; simpl INR; Cpushed; first [ring | field; Cnz] ]
+  [ first [ symmetry; apply Cexp_nought; simpl INR; Cpushed; ring | f_equal; simpl INR; Cpushed;
+    first [ring | field; Cnz] ]
   | Cpushed; cbn [Cpower]; first [ring | field; Cnz] ].
-Lemma conditions_alike : forall (z d x n : C) (z' d' x' n' : R), z = RtoC z' -> d = RtoC d' -> (x * d = RtoC x')%C -> n = RtoC n' ->
+Lemma conditions_alike : forall (z d x n : C) (z' d' x' n' : R), z = RtoC z' -> d = RtoC d' ->
+  (x * d = RtoC x')%C -> n = RtoC n' ->
   ((z <> RtoC 0 /\ d <> RtoC 0 /\ (x * d = n)%C) <-> (z' <> 0 /\ d' <> 0 /\ x' = n')).
 Proof.
   intros z d x n z' d' x' n' Z D X N; rewrite X, Z, D, N.
   assert (A : forall r, RtoC r <> RtoC 0 <-> r <> 0).
   { intro r; split; intros H E; apply H; [rewrite E; reflexivity | exact (RtoC_inj _ _ E)]. }
-  rewrite !A; split; intros (P & Q & E); (split; [exact P |]); (split; [exact Q |]); [exact (RtoC_inj _ _ E) | rewrite E; reflexivity].
+  rewrite !A; split; intros (P & Q & E); (split; [exact P |]); (split; [exact Q |]);
+    [exact (RtoC_inj _ _ E) | rewrite E; reflexivity].
 Qed.
 Ltac Cpulled := cbn [Cpower];
   repeat first [ rewrite <- RtoC_plus | rewrite <- RtoC_minus | rewrite <- RtoC_mult | rewrite <- RtoC_opp

@@ -2,22 +2,26 @@
 From Symhaptic Require Export Loop.
 Open Scope R_scope.
 
-Lemma locally_constant : forall (f : R -> R) p q c s, (forall t, p < t < q -> f t = c) -> p < s < q -> forall l, is_derive f s l -> l = 0.
+Lemma locally_constant : forall (f : R -> R) p q c s, (forall t, p < t < q -> f t = c) -> p < s < q ->
+  forall l, is_derive f s l -> l = 0.
 Proof.
   intros f p q c s K S l D; rewrite <- (is_derive_unique _ _ _ D); apply is_derive_unique.
   apply (is_derive_ext_loc (fun _ => c)); [| apply (is_derive_const (V := R_NormedModule))].
-  assert (P : 0 < Rmin (s - p) (q - s)) by (apply Rmin_glb_lt; lra); exists (mkposreal _ P); intros t T; symmetry; apply K.
+  assert (P : 0 < Rmin (s - p) (q - s)) by (apply Rmin_glb_lt; lra); exists (mkposreal _ P); intros t T; symmetry;
+    apply K.
   assert (Q : Rabs (t - s) < Rmin (s - p) (q - s)) by exact T; apply Rabs_def2 in Q.
   generalize (Rmin_l (s - p) (q - s)) (Rmin_r (s - p) (q - s)); lra.
 Qed.
-Lemma rises_weakly : forall (f g : R -> R) p q, p <= q -> (forall t, is_derive f t (g t)) -> (forall t, 0 <= g t) -> f p <= f q.
+Lemma rises_weakly : forall (f g : R -> R) p q, p <= q -> (forall t, is_derive f t (g t)) ->
+  (forall t, 0 <= g t) -> f p <= f q.
 Proof.
   intros f g p q [L | L] D P; [| subst; lra]; destruct (MVT_cor2 f g p q L) as (c & E & C).
   - intros t _; apply is_derive_Reals, D.
   - specialize (P c); nra.
 Qed.
 (* A motion that does not speed up at one time, nor a moment later, never does. *)
-Lemma steady_speed : forall gamma delta F x v s, moves gamma delta F x v -> gamma * v s = 0 -> F - delta * v s - gamma * x s = 0 ->
+Lemma steady_speed : forall gamma delta F x v s, moves gamma delta F x v -> gamma * v s = 0 ->
+  F - delta * v s - gamma * x s = 0 ->
   forall t, v t = v s /\ x t = x s + v s * (t - s).
 Proof.
   intros g d F x v s M Z E t; assert (L := moves_later _ _ _ _ _ s M).
@@ -25,7 +29,8 @@ Proof.
   { intro u; split; [auto_derive; [exact I | ring] |].
     replace (F - d * v s - g * (x s + v s * u)) with 0.
     - apply (is_derive_const (V := R_NormedModule)).
-    - replace (F - d * v s - g * (x s + v s * u)) with (F - d * v s - g * x s - g * v s * u) by ring; rewrite E, Z; ring. }
+    - replace (F - d * v s - g * (x s + v s * u)) with (F - d * v s - g * x s - g * v s * u) by ring; rewrite E, Z;
+        ring. }
   destruct (one_motion_always _ _ _ _ _ _ _ L N) with (t := t - s) as [A B]; try (rewrite Rplus_0_r; ring).
   replace (s + (t - s)) with t in * by ring; split; assumption.
 Qed.
@@ -42,17 +47,21 @@ Definition steady_place (t : R) : C := (x1 t * N + x2 t * S + x3 t * A)%C.
 Definition steady_rate (t : R) : C := (v1 t * N + v2 t * S + v3 t * A)%C.
 Lemma steady_starts : steady_place 0 = N /\ steady_rate 0 = S.
 Proof.
-  destruct M as [_ P1 Q1 _ P2 Q2 _ P3 Q3]; unfold steady_place, steady_rate; rewrite P1, Q1, P2, Q2, P3, Q3; split; ring.
+  destruct M as [_ P1 Q1 _ P2 Q2 _ P3 Q3]; unfold steady_place, steady_rate; rewrite P1, Q1, P2, Q2, P3, Q3; split;
+    ring.
 Qed.
 Lemma steady_ends : steady_place 1 = (z * N)%C /\ steady_rate 1 = (z * S)%C.
 Proof. unfold steady_place, steady_rate, N, S, A; simpl; split; ring. Qed.
-Lemma combined : forall p q r, moves g d r (fun t => p * x1 t + q * x2 t + r * x3 t) (fun t => p * v1 t + q * v2 t + r * v3 t).
+Lemma combined : forall p q r, moves g d r (fun t => p * x1 t + q * x2 t + r * x3 t) (fun t => p * v1 t +
+  q * v2 t + r * v3 t).
 Proof.
-  intros p q r t; destruct (first _ _ _ _ _ _ _ _ M t) as [A1 B1], (second _ _ _ _ _ _ _ _ M t) as [A2 B2], (third _ _ _ _ _ _ _ _ M t) as [A3 B3].
+  intros p q r t; destruct (first _ _ _ _ _ _ _ _ M t) as [A1 B1], (second _ _ _ _ _ _ _ _ M t) as [A2 B2], (third _
+    _ _ _ _ _ _ _ M t) as [A3 B3].
   assert (L : forall f h k (f' h' k' : R), is_derive f t f' -> is_derive h t h' -> is_derive k t k' ->
     is_derive (fun t => p * f t + q * h t + r * k t) t (p * f' + q * h' + r * k')).
   { intros f h k f' h' k' E F G.
-    apply (is_derive_plus (fun t => p * f t + q * h t) (fun t => r * k t)); [apply (is_derive_plus (fun t => p * f t) (fun t => q * h t)) |];
+    apply (is_derive_plus (fun t => p * f t + q * h t) (fun t => r * k t));
+      [apply (is_derive_plus (fun t => p * f t) (fun t => q * h t)) |];
       apply is_derive_scal; assumption. }
   split; [apply L; assumption |].
   replace (r - d * (p * v1 t + q * v2 t + r * v3 t) - g * (p * x1 t + q * x2 t + r * x3 t)) with
@@ -71,8 +80,10 @@ Proof.
 Qed.
 (* What the force worked and is not stored. *)
 Definition spent (t : R) : R := Re A * Re (steady_place t) + Im A * Im (steady_place t)
-  - (Re (steady_rate t) ^ 2 + Im (steady_rate t) ^ 2) / 2 - g * (Re (steady_place t) ^ 2 + Im (steady_place t) ^ 2) / 2.
-Lemma spent_more : forall p q, p < q -> d * (Cmod (steady_place q - steady_place p)%C ^ 2 / (q - p)) < spent q - spent p.
+  - (Re (steady_rate t) ^ 2 + Im (steady_rate t) ^ 2) / 2 - g * (Re (steady_place t) ^ 2 +
+      Im (steady_place t) ^ 2) / 2.
+Lemma spent_more : forall p q, p < q ->
+  d * (Cmod (steady_place q - steady_place p)%C ^ 2 / (q - p)) < spent q - spent p.
 Proof.
   intros p q L; destruct steady_moves as [Mr Mi].
   set (xr := fun t => Re (steady_place t)) in *; set (vr := fun t => Re (steady_rate t)) in *.
@@ -106,7 +117,8 @@ Proof.
       apply (steady_speed g d F); [exact Mv | | apply Acc, Ps].
       apply (locally_constant (fun t => g * x t) p q (F - d * m) s); [| exact Ps | apply is_derive_scal, (Mv s)].
       intros t T; generalize (Acc t T); rewrite (V t T); lra. }
-    assert (Ur := Rest _ _ _ mr Mr (fun t T => proj1 (Same t T))); assert (Ui := Rest _ _ _ mi Mi (fun t T => proj2 (Same t T))).
+    assert (Ur := Rest _ _ _ mr Mr (fun t T => proj1 (Same t T)));
+      assert (Ui := Rest _ _ _ mi Mi (fun t T => proj2 (Same t T))).
     assert (Turn : forall w : C, (z * w)%C = w -> w = RtoC 0).
     { intros w E; destruct (Ceq_dec w 0) as [Z | Z]; [exact Z | exfalso; apply One].
       replace z with (z * w / w)%C by (field; exact Z); rewrite E; field; exact Z. }
@@ -123,7 +135,8 @@ Proof.
       - rewrite (proj2 (Ui 1)), (proj2 (Ui 0)), (proj2 Zs); ring. }
     rewrite (proj1 steady_ends), (proj1 steady_starts) in X0; apply Turn in X0.
     assert (Wr : xr 0 = 0 /\ xi 0 = 0) by (unfold xr, xi; rewrite (proj1 steady_starts), X0; split; reflexivity).
-    assert (Acc : forall F x v, moves g d F x v -> (forall t, v t = v s /\ x t = x s + v s * (t - s)) -> v s = 0 -> x 0 = 0 -> F = 0).
+    assert (Acc : forall F x v, moves g d F x v -> (forall t, v t = v s /\ x t = x s + v s * (t - s)) ->
+      v s = 0 -> x 0 = 0 -> F = 0).
     { intros F x v Mv V Vs Xs; assert (E : F - d * v 0 - g * x 0 = 0).
       { apply (locally_constant v (-1) 1 0 0); [intros t _; rewrite (proj1 (V t)); exact Vs | lra | apply (Mv 0)]. }
       rewrite (proj1 (V 0)), Vs, Xs in E; lra. }
@@ -135,10 +148,12 @@ Proof.
   2: { unfold mr, xr; destruct (steady_place q), (steady_place p); simpl; field; lra. }
   replace (Im (steady_place q - steady_place p)%C) with (mi * (q - p)).
   2: { unfold mi, xi; destruct (steady_place q), (steady_place p); simpl; field; lra. }
-  replace ((mr * (q - p) * (mr * (q - p)) + mi * (q - p) * (mi * (q - p))) / (q - p)) with ((mr ^ 2 + mi ^ 2) * (q - p)) by (field; lra).
+  replace ((mr * (q - p) * (mr * (q - p)) + mi * (q - p) * (mi * (q - p))) / (q - p)) with ((mr ^ 2 +
+    mi ^ 2) * (q - p)) by (field; lra).
   assert (Er : xr q = xr p + mr * (q - p)) by (unfold mr; field; lra).
   assert (Ei : xi q = xi p + mi * (q - p)) by (unfold mi; field; lra).
-  assert (d * (2 * (mr * xr q + mi * xi q) - (mr ^ 2 + mi ^ 2) * q) - d * (2 * (mr * xr p + mi * xi p) - (mr ^ 2 + mi ^ 2) * p) =
+  assert (d * (2 * (mr * xr q + mi * xi q) - (mr ^ 2 + mi ^ 2) * q) - d * (2 * (mr * xr p + mi * xi p) - (mr ^ 2 +
+    mi ^ 2) * p) =
     d * ((mr ^ 2 + mi ^ 2) * (q - p))) by (rewrite Er, Ei; ring).
   lra.
 Qed.
@@ -147,12 +162,14 @@ Lemma spent_in_all : spent 1 - spent 0 = Re (Cconj A * ((z - 1) * N))%C.
 Proof.
   unfold spent; rewrite (proj1 steady_starts), (proj2 steady_starts), (proj1 steady_ends), (proj2 steady_ends).
   assert (Sq : forall w : C, Re (z * w)%C ^ 2 + Im (z * w)%C ^ 2 = Re w ^ 2 + Im w ^ 2).
-  { intro w; assert (E := Cmod_square (z * w)%C); rewrite Cmod_mult, Circle, Rmult_1_l, Cmod_square in E; simpl in *; lra. }
+  { intro w; assert (E := Cmod_square (z * w)%C); rewrite Cmod_mult, Circle, Rmult_1_l, Cmod_square in E;
+      simpl in *; lra. }
   rewrite !Sq; destruct A, z, N; simpl; ring.
 Qed.
 End Steady.
 (* No pole of a damped device lies on the circle, but that of a free one at 1. *)
-Lemma away_from_poles : forall gamma delta n_1 n_0 a e (z : C), device gamma delta n_1 n_0 a e -> 0 <= gamma -> 0 < delta ->
+Lemma away_from_poles : forall gamma delta n_1 n_0 a e (z : C), device gamma delta n_1 n_0 a e -> 0 <= gamma ->
+  0 < delta ->
   Cmod z = 1 -> z <> RtoC 1 -> (z^2 - a * z + e)%C <> RtoC 0.
 Proof.
   intros g d n1 n0 a e z V [G | G] D Z One E.
@@ -167,7 +184,8 @@ Proof.
     + assert (Ze : z = RtoC e) by (replace z with (z - e + e)%C by ring; rewrite K; ring).
       rewrite Ze, Cmod_R, L, Rabs_pos_eq in Z; lra.
 Qed.
-Theorem held_steady_state : forall gamma delta n_1 n_0 a e (z : C), device gamma delta n_1 n_0 a e -> 0 <= gamma -> 0 < delta ->
+Theorem held_steady_state : forall gamma delta n_1 n_0 a e (z : C), device gamma delta n_1 n_0 a e ->
+  0 <= gamma -> 0 < delta ->
   Cmod z = 1 -> z <> RtoC 1 ->
   delta * Cmod ((z - 1) * (n_1 * z + n_0))%C ^ 2 < Re (Cconj (z^2 - a * z + e) * ((z - 1) * (n_1 * z + n_0)))%C.
 Proof.
@@ -175,28 +193,36 @@ Proof.
   destruct V as (x1 & v1 & x2 & v2 & x3 & v3 & M & A & E & N1 & N0); subst a e n1 n0.
   rewrite !RtoC_minus, !RtoC_plus, !RtoC_mult in *.
   assert (Sp := spent_more _ _ _ _ _ _ _ _ z M D One Ap 0 1 Rlt_0_1).
-  rewrite (spent_in_all _ _ _ _ _ _ _ _ z M One Z Ap), (proj1 (steady_starts _ _ _ _ _ _ _ _ z M)), (proj1 (steady_ends x1 v1 x2 v2 x3 v3 z)) in Sp.
+  rewrite (spent_in_all _ _ _ _ _ _ _ _ z M One Z Ap), (proj1 (steady_starts _ _ _ _ _ _ _ _ z M)), (proj1
+    (steady_ends x1 v1 x2 v2 x3 v3 z)) in Sp.
   replace (1 - 0) with 1 in Sp by ring; unfold Rdiv in Sp; rewrite Rinv_1, Rmult_1_r in Sp.
   eapply Rle_lt_trans; [| exact Sp]; apply Req_le; do 3 f_equal; ring.
 Qed.
 
 (* The same of each force from its beginning to its end, in two parts: before a sample and after it. *)
-Lemma steady_sample : forall gamma delta x1 v1 x2 v2 x3 v3 u (z : C), motions gamma delta x1 v1 x2 v2 x3 v3 -> 0 <= u <= 1 ->
+Lemma steady_sample : forall gamma delta x1 v1 x2 v2 x3 v3 u (z : C), motions gamma delta x1 v1 x2 v2 x3 v3 ->
+  0 <= u <= 1 ->
   let x := x3 (1 - u) in let v := v3 (1 - u) in
   let y := x1 (1 - u) * x3 u + x2 (1 - u) * v3 u in let w := v1 (1 - u) * x3 u + v2 (1 - u) * v3 u in
-  steady_place x1 v1 x2 v2 x3 v3 z (1 - u) = (x * z^2 + RtoC (x2 1 * v - v2 1 * x + y) * z + RtoC (x2 1 * w - v2 1 * y))%C.
+  steady_place x1 v1 x2 v2 x3 v3 z (1 - u) =
+    (x * z^2 + RtoC (x2 1 * v - v2 1 * x + y) * z + RtoC (x2 1 * w - v2 1 * y))%C.
 Proof.
   intros g d x1 v1 x2 v2 x3 v3 u z M U; cbv zeta; set (r := 1 - u); assert (R0 : 0 <= r) by (unfold r; lra).
   destruct (two_parts _ _ _ _ _ _ _ _ u r M R0) as [E1 F1], (two_parts _ _ _ _ _ _ _ _ 1 r M R0) as [E2 F2].
-  destruct (two_parts _ _ _ _ _ _ _ _ r 1 M ltac:(lra)) as [E3 F3], (two_parts _ _ _ _ _ _ _ _ 1 1 M ltac:(lra)) as [E4 F4].
-  destruct (two_parts _ _ _ _ _ _ _ _ 2 r M R0) as [E5 F5], (two_parts _ _ _ _ _ _ _ _ (1 + r) 1 M ltac:(lra)) as [E6 F6].
-  replace (u + r) with 1 in * by (unfold r; ring); replace (r + 1) with (1 + r) in * by ring; replace (1 + r + 1) with (2 + r) in * by ring.
+  destruct (two_parts _ _ _ _ _ _ _ _ r 1 M ltac:(lra)) as [E3 F3], (two_parts _ _ _ _ _ _ _ _ 1 1 M ltac:(lra)) as
+    [E4 F4].
+  destruct (two_parts _ _ _ _ _ _ _ _ 2 r M R0) as [E5 F5], (two_parts _ _ _ _ _ _ _ _ (1 +
+    r) 1 M ltac:(lra)) as [E6 F6].
+  replace (u + r) with 1 in * by (unfold r; ring); replace (r + 1) with (1 + r) in * by ring;
+    replace (1 + r + 1) with (2 + r) in * by ring.
   replace (1 + 1) with 2 in * by ring.
-  assert (Y : x1 r * x3 u + x2 r * v3 u = x3 1 - x3 r) by lra; assert (W : v1 r * x3 u + v2 r * v3 u = v3 1 - v3 r) by lra.
+  assert (Y : x1 r * x3 u + x2 r * v3 u = x3 1 - x3 r) by lra;
+    assert (W : v1 r * x3 u + v2 r * v3 u = v3 1 - v3 r) by lra.
   assert (C1 : x1 r * x3 1 + x2 r * v3 1 = x3 1 + x1 1 * x3 r + x2 1 * v3 r - x3 r) by lra.
   assert (C2 : x1 r * (x1 1 * x3 1 + x2 1 * v3 1) + x2 r * (v1 1 * x3 1 + v2 1 * v3 1) =
     x1 1 * x3 (1 + r) + x2 1 * v3 (1 + r) - x3 (1 + r) + x3 1).
-  { replace (x1 1 * x3 1 + x2 1 * v3 1) with (x3 2 - x3 1) by lra; replace (v1 1 * x3 1 + v2 1 * v3 1) with (v3 2 - v3 1) by lra; lra. }
+  { replace (x1 1 * x3 1 + x2 1 * v3 1) with (x3 2 - x3 1) by lra;
+      replace (v1 1 * x3 1 + v2 1 * v3 1) with (v3 2 - v3 1) by lra; lra. }
   rewrite E3, F3 in C2; rewrite Y, W; unfold steady_place.
   assert (Q : (x1 r * (x3 1 * z + (x2 1 * v3 1 - v2 1 * x3 1)) + x2 r * (v1 1 * x3 1 + (z - x1 1) * v3 1))%C =
     (RtoC (x1 r * x3 1 + x2 r * v3 1) * (z - RtoC (x1 1 + v2 1)) +
@@ -205,7 +231,8 @@ Proof.
   rewrite Q, C1, C2; repeat first [rewrite RtoC_plus | rewrite RtoC_minus | rewrite RtoC_mult]; simpl; ring.
 Qed.
 Theorem late_held_steady_state : forall gamma delta u m_2 m_1 m_0 n_1 n_0 a e (z : C),
-  late_device gamma delta u m_2 m_1 m_0 a e -> device gamma delta n_1 n_0 a e -> 0 <= gamma -> 0 < delta -> 0 < u < 1 ->
+  late_device gamma delta u m_2 m_1 m_0 a e -> device gamma delta n_1 n_0 a e -> 0 <= gamma -> 0 < delta ->
+    0 < u < 1 ->
   Cmod z = 1 -> z <> RtoC 1 ->
   delta * (u * (1 - u) * Cmod ((z - 1) * (n_1 * z + n_0))%C ^ 2 +
     Cmod (m_2 * z^2 + m_1 * z + m_0 - (u + (1 - u) * z) * (n_1 * z + n_0))%C ^ 2) <
@@ -215,23 +242,28 @@ Proof.
   assert (Ap := away_from_poles _ _ _ _ _ _ z V G D Z One).
   destruct V as (x1 & v1 & x2 & v2 & x3 & v3 & M & A & E & N1 & N0); subst a e n1 n0.
   assert (Same := motions_unique _ _ _ _ _ _ _ _ _ _ _ _ _ _ L M).
-  destruct (Same 1 ltac:(lra)) as ((X1 & V1) & (X2 & V2) & (X3 & V3)), (Same u ltac:(lra)) as ((P1 & Q1) & (P2 & Q2) & (P3 & Q3)),
+  destruct (Same 1 ltac:(lra)) as ((X1 & V1) & (X2 & V2) & (X3 & V3)), (Same u ltac:(lra)) as ((P1 & Q1) & (P2 & Q2)
+    & (P3 & Q3)),
     (Same (1 - u) ltac:(lra)) as ((R1 & S1) & (R2 & S2) & (R3 & S3)).
-  cbv zeta in M2, M1, M0; rewrite R3 in M2; rewrite X2, V2, P3, Q3, R1, R2, R3, S3 in M1; rewrite X2, V2, P3, Q3, R1, S1, R2, S2 in M0; clear X1 V1 X3 V3 P1 Q1 P2 Q2.
+  cbv zeta in M2, M1, M0; rewrite R3 in M2; rewrite X2, V2, P3, Q3, R1, R2, R3, S3 in M1;
+    rewrite X2, V2, P3, Q3, R1, S1, R2, S2 in M0; clear X1 V1 X3 V3 P1 Q1 P2 Q2.
 
-  assert (Sample := steady_sample _ _ _ _ _ _ _ _ u z M ltac:(lra)); cbv zeta in Sample; rewrite <- M1, <- M0, <- M2 in Sample.
+  assert (Sample := steady_sample _ _ _ _ _ _ _ _ u z M ltac:(lra)); cbv zeta in Sample;
+    rewrite <- M1, <- M0, <- M2 in Sample.
   repeat first [rewrite RtoC_minus | rewrite RtoC_plus | rewrite RtoC_mult].
   repeat first [rewrite RtoC_minus in Ap | rewrite RtoC_plus in Ap | rewrite RtoC_mult in Ap].
   assert (One' := spent_more _ _ _ _ _ _ _ _ z M D One Ap 0 (1 - u) ltac:(lra)).
   assert (Two := spent_more _ _ _ _ _ _ _ _ z M D One Ap (1 - u) 1 ltac:(lra)).
   assert (All := spent_in_all _ _ _ _ _ _ _ _ z M One Z Ap).
-  rewrite Sample, (proj1 (steady_starts _ _ _ _ _ _ _ _ z M)) in One'; rewrite Sample, (proj1 (steady_ends x1 v1 x2 v2 x3 v3 z)) in Two.
+  rewrite Sample, (proj1 (steady_starts _ _ _ _ _ _ _ _ z M)) in One';
+    rewrite Sample, (proj1 (steady_ends x1 v1 x2 v2 x3 v3 z)) in Two.
   match type of All with _ = ?r => set (W := r) in * end.
   set (N := (x3 1 * z + (x2 1 * v3 1 - v2 1 * x3 1))%C) in *; set (X := (m2 * z^2 + m1 * z + m0)%C) in *.
   assert (Sum : d * (Cmod (X - N)%C ^ 2 / (1 - u)) + d * (Cmod (z * N - X)%C ^ 2 / u) < W).
   { replace (1 - u - 0) with (1 - u) in One' by ring; replace (1 - (1 - u)) with u in Two by ring; lra. }
   assert (Sq : u * (1 - u) * (d * (Cmod (X - N)%C ^ 2 / (1 - u)) + d * (Cmod (z * N - X)%C ^ 2 / u)) =
     d * (u * (1 - u) * Cmod ((z - 1) * N)%C ^ 2 + Cmod (X - (u + (1 - u) * z) * N)%C ^ 2)).
-  { rewrite !Cmod_square; clearbody X N; destruct X as [p q], z as [s t], N as [i j]; simpl; field; repeat split; shown_here; lra. }
+  { rewrite !Cmod_square; clearbody X N; destruct X as [p q], z as [s t], N as [i j]; simpl; field; repeat split;
+      shown_here; lra. }
   rewrite <- Sq; apply Rmult_lt_compat_l; [nra | exact Sum].
 Qed.

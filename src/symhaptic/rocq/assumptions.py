@@ -5,13 +5,18 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 
-from symhaptic.book.foreign import INTEGERS, REALS
+from symhaptic.book.foreign import EXCLUDED, EXTENSIONAL, INTEGERS, LIBRARY, REALS
 from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.rocq.chapter import BELIEVED, WRITTEN, File, slug
-from symhaptic.rocq.preludes import PRELUDES, known_there, meant
+from symhaptic.rocq.preludes import PRELUDES
 from symhaptic.rocq.steps import is_open
 
-_STANDARD = ("ClassicalDedekindReals.", "FunctionalExtensionality.", "Classical_Prop.")
+_STANDARD = {
+    "ClassicalDedekindReals.": REALS,
+    "Classical_Prop.": EXCLUDED,
+    "FunctionalExtensionality.": EXTENSIONAL,
+    "functional_extensionality_dep": EXTENSIONAL,
+}
 _PRIMITIVE = (
     "PrimInt63.",
     "Uint63.",
@@ -27,14 +32,12 @@ _OURS = tuple(f"{path.stem}." for path in PRELUDES)
 def rule_of(name: str) -> str:
     """The classical rule or axiom of our kernel that an axiom of a file stands for.
 
-    >>> rule_of("rule_roots_stay_91"), rule_of("axiom_passive_wall"), rule_of("stable")
-    ('roots_stay', 'passive wall', 'stable')
+    >>> rule_of("rule_roots_stay_91"), rule_of("axiom_passive_wall"), rule_of("hidden")
+    ('roots_stay', 'passive wall', 'hidden')
     """
     instance = re.fullmatch(r"rule_(\w+?)(_\d+)?", name)
     if instance and instance[1] in BELIEVED | WRITTEN:
         return instance[1]
-    if name in known_there():
-        return name.removeprefix("rule_")
     return _AXIOMS.get(name, name)
 
 
@@ -49,7 +52,7 @@ def resting(
     ``own`` has the file's names by those that Rocq lists.
     """
     found = {here for name in listed for here in own.get(name, [name])}
-    here = {step.name for step in file.steps} | meant() | known_there()
+    here = {step.name for step in file.steps}
     named = {id: file.named_by(id) & here for id in file.statements}
     others = set[str]().union(*named.values())  # what no lemma names is laid to all of them
     return {id: sorted(found - (others - own)) for id, own in named.items()}
@@ -61,8 +64,9 @@ def axioms(said: str) -> set[str]:
 
 
 def _short(name: str) -> str:
-    if name.startswith(_STANDARD) or name == "functional_extensionality_dep":
-        return REALS
+    for begin, known in _STANDARD.items():
+        if name.startswith(begin):
+            return known
     if name.startswith(_OURS):  # as Rocq says it where a chapter takes all that uses it from others
         return name.partition(".")[2]
     return INTEGERS if name.startswith(_PRIMITIVE) else name
@@ -71,8 +75,7 @@ def _short(name: str) -> str:
 def told(file: File, rests: dict[str, list[str]]) -> dict[str, str]:
     """Whether a statement is checked whole, or which of its leaves are open."""
     reasons = {s.name: s.why for s in file.steps if is_open(s.name)}
-    named = {s.name for s in file.steps if s.kind == "Axiom"} | {REALS, INTEGERS}
-    named |= meant() | known_there()
+    named = {s.name for s in file.steps if s.kind == "Axiom"}.union(LIBRARY)
     found = {}
     for id, names in rests.items():
         open_ = [n for n in names if n in reasons]

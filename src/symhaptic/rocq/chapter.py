@@ -112,12 +112,12 @@ class File:
 HOW = (
     "Lemmas stand after those that they use. A lemma says a theorem for all of its free symbols: "
     "hypotheses, then conclusion; a relation stands beside what it divides by. Its comment names "
-    "the rule that made it, listed below. Axioms are named axiom_ and rule_, with their source: "
-    "classical theorems on passivity, and what is known of walls and of the answers of a device; "
-    "one that is named open_ is a step which nobody has checked here. What is named _fails_ shows "
-    "a point at which a condition, or what is printed, fails. Tactics stand in Prelude.v and "
-    "Control.v, predicates in Polynomials.v, Circle.v (stable, hurwitz), Device.v, Loop.v and "
-    "Control.v"
+    "the rule that made it, listed below. A classical theorem that the library does not prove is "
+    "an axiom named rule_, with its source; one that is named open_ is a step which nobody has "
+    "checked here. What is named _fails_ shows a point at which a condition, or what is printed, "
+    "fails. Tactics stand in Prelude.v and Control.v; predicates are defined in Polynomials.v "
+    "(degree), Circle.v (stable, hurwitz), Device.v, Loop.v, Energy.v (passive), Stored.v and "
+    "Answers.v"
 )
 ALONE = frozenset({"identity", "number", "broken", "tends"}) | BOXED
 """Leaves that use no other lemma."""

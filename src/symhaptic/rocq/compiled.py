@@ -13,7 +13,6 @@ import subprocess
 import time
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from pathlib import Path
 from typing import Any
 from uuid import uuid4
@@ -23,7 +22,7 @@ from symhaptic.book.chapters import Chapter, run
 from symhaptic.rocq.assumptions import axioms, resting, told
 from symhaptic.rocq.chapter import OPEN, File, printed
 from symhaptic.rocq.outcome import Outcome, keep, kept, marked, of_file, unasked
-from symhaptic.rocq.preludes import PRELUDES, meant, text_mark
+from symhaptic.rocq.preludes import PRELUDES, text_mark
 from symhaptic.rocq.shared import FOLDER, Seen
 
 INSTALL = "coqc is not found; on Debian: apt install coq libcoq-interval"
@@ -125,12 +124,6 @@ class Taken:
     own: dict[str, list[str]]
     """By a full name, there or elsewhere, what is called so in its file."""
 
-    @cached_property
-    def meant(self) -> frozenset[str]:
-        """The predicates that its lemmas name."""
-        named = set[str]().union(*map(self.file.named_by, self.file.statements))
-        return meant() & named
-
     def alone(self) -> Outcome:
         """With what Rocq lists for it; where it does not list it, nothing in it is whole."""
         try:
@@ -141,8 +134,7 @@ class Taken:
 
     def rests_on(self, said: str, others: Iterable[Taken] = ()) -> Outcome:
         """With what Rocq lists for it, or for it and others together."""
-        theirs = set[str]().union(*(other.own.keys() | other.meant for other in others))
-        theirs -= self.own.keys() | self.meant
+        theirs = set[str]().union(*(other.own for other in others)) - self.own.keys()
         rests = resting(self.file, axioms(said) - theirs, self.own)
         found = told(self.file, rests)
         statements = {id: found.get(id, why) for id, why in self.outcome.statements.items()}

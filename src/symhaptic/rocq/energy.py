@@ -1,4 +1,4 @@
-"""Rules on energy and on answers: each is a theorem of ``Energy.v``, ``Stored.v`` or ``Answers.v``."""
+"""Rules on energy and answers: theorems of ``Energy.v``, ``Stored.v`` and ``Answers.v``."""
 
 from __future__ import annotations
 
@@ -128,3 +128,25 @@ def held_answer(proof: Proof, theorem: Theorem) -> None:
         "apply (iff_trans A); clear A M.",
         "apply conditions_alike; [reflexivity | Cpulled | Cpulled | Cpulled].",
     )
+
+
+@shows
+def gains(proof: Proof, theorem: Theorem) -> None:
+    """The pieces of the motion are rational, and its energy is a number."""
+    wall, motion = theorem.given
+    reals = " ".join(f"({real_text(term(v), proof.names)})" for v in wall)
+    pieces = "nil"
+    for time, way in reversed(motion):
+        pieces = f"(cons ({_rational(time)}, {_rational(way)}) {pieces})"
+    proof.say(
+        f"assert (G := gains_energy {reals} {_rational(wall[4])} {pieces}).",
+        "repeat match type of G with ?P -> _ => "
+        "let H := fresh in assert (H : P) by gained; specialize (G H); clear H end.",
+        "finish G.",
+    )
+
+
+def _rational(value: Any) -> str:
+    """A rational number as Rocq's library has it."""
+    value = sp.Rational(value)
+    return f"(QArith_base.Qmake ({value.p}) {value.q})"

@@ -242,26 +242,6 @@ def broken(proof: Proof, theorem: Theorem) -> None:
 
 
 @shows
-def gains(proof: Proof, theorem: Theorem) -> None:
-    wall, motion = theorem.given
-    reals = " ".join(f"({real_text(term(v), proof.names)})" for v in wall)
-    pieces = "nil"
-    for time, way in reversed(motion):
-        pieces = f"(cons ({_rational(time)}, {_rational(way)}) {pieces})"
-    proof.say(
-        f"assert (G := gains_energy {reals} {_rational(wall[4])} {pieces}).",
-        "repeat match type of G with ?P -> _ => "
-        "let H := fresh in assert (H : P) by gained; specialize (G H); clear H end.",
-        "finish G.",
-    )
-
-
-def _rational(value: Any) -> str:
-    value = sp.Rational(value)
-    return f"(QArith_base.Qmake ({value.p}) {value.q})"
-
-
-@shows
 def on_plants(proof: Proof, theorem: Theorem) -> None:
     """By the pieces of our certificate, which a checker that is proved there evaluates."""
     (certificate,) = theorem.given

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from symhaptic.book.chapters import Chapter
-from symhaptic.book.foreign import INTEGERS, REALS, mark
+from symhaptic.book.foreign import LIBRARY, mark
 from symhaptic.rocq.assumptions import rule_of
 from symhaptic.rocq.chapter import ALONE, File
 from symhaptic.rocq.steps import is_open
@@ -29,7 +29,7 @@ class Outcome:
     """``whole``, or why it is not."""
     rests: dict[str, list[str]] = field(default_factory=dict)
     """What each printed statement rests on: of what ``Print Assumptions`` says of the chapter, all
-    of the library, and the axioms and predicates that its lemmas name."""
+    of the library, and the axioms that its lemmas name."""
     steps: dict[str, list[int]] = field(default_factory=dict)
     """Of each rule, how many steps were checked and how many there are."""
     pieces: list[int] = field(default_factory=lambda: [0, 0])
@@ -48,9 +48,9 @@ class Outcome:
     """Of each statement by theorems, a mark of what these say."""
 
     def rules(self, id: str) -> list[str]:
-        """What a statement rests on, by name: rules and axioms, predicates, Rocq's library."""
+        """What a statement rests on, by name: rules and axioms, Rocq's library."""
         named = {rule_of(name) for name in self.rests.get(id, ()) if not is_open(name)}
-        return sorted(named, key=lambda name: (name in (REALS, INTEGERS), name))
+        return sorted(named, key=lambda name: (name in LIBRARY, name))
 
 
 def of_file(file: File, chapter: Chapter, said: dict[str, str], leaves: bool = False) -> Outcome:

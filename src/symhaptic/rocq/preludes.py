@@ -1,10 +1,9 @@
-"""The preludes that chapters use, what they leave open, and what makes two texts one to Rocq."""
+"""The library that chapters use, and what makes two texts one to Rocq."""
 
 from __future__ import annotations
 
 import hashlib
 import re
-from functools import cache
 from pathlib import Path
 
 LIBRARY = (
@@ -29,20 +28,3 @@ def _imported(text: str) -> dict[str, str]:
             of_it = known[name].read_text(encoding="utf-8")
             found |= _imported(of_it) | {name: of_it}
     return found
-
-
-@cache
-def meant() -> frozenset[str]:
-    """What the prelude leaves open: the predicates, whose meaning the model has."""
-    found = re.findall(r"^Parameters? ([\w\s]+):", _preludes(), re.M)
-    return frozenset(name for names in found for name in names.split())
-
-
-@cache
-def known_there() -> frozenset[str]:
-    """What the prelude believes of the predicates: rules of our kernel, by their names there."""
-    return frozenset(re.findall(r"^Axiom (rule_\w+)", _preludes(), re.M))
-
-
-def _preludes() -> str:
-    return "".join(path.read_text(encoding="utf-8") for path in PRELUDES)

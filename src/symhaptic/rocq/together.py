@@ -2,8 +2,8 @@
 
 Rocq takes as long to list the axioms of one chapter as of twenty.  Asked together they rest on what
 is listed, which is more than each of them needs to; so only those are of which the record has the
-same rules of a prelude and axioms of the library.  A predicate is no axiom: it is laid to those
-whose lemmas name it.  One of which this gives anything else than the record has is asked alone.
+same axioms of the library.  One of which this gives anything else than the record has is asked
+alone.
 """
 
 from __future__ import annotations
@@ -14,17 +14,15 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
-from symhaptic.book.foreign import INTEGERS, REALS
-from symhaptic.rocq.assumptions import rule_of
+from symhaptic.book.foreign import LIBRARY
 from symhaptic.rocq.compiled import NoRocq, Taken, listed
 from symhaptic.rocq.outcome import Outcome
-from symhaptic.rocq.preludes import known_there
 
 
 def groups(chapters: Mapping[str, Iterable[str]], known: Mapping[str, Any]) -> list[list[str]]:
     """Chapters of whose statements a record says that they rest on the same, the others alone.
 
-    >>> known = {id: {"rests": [REALS]} for id in ("eq1", "eq2")} | {"eq4": {"rests": ["passive"]}}
+    >>> known = {id: {"rests": [*LIBRARY]} for id in ("eq1", "eq2")} | {"eq4": {"rests": ["mine"]}}
     >>> chapters = {"a": ["eq1"], "b": ["eq2", "eq4"], "c": ["eq3", "mine"]}
     >>> groups(chapters, {"statements": known})
     [['a', 'b'], ['c']]
@@ -36,15 +34,14 @@ def groups(chapters: Mapping[str, Iterable[str]], known: Mapping[str, Any]) -> l
 
 
 def _shared(ids: Iterable[str], known: Mapping[str, Any]) -> frozenset[str]:
-    """The rules of a prelude and axioms of the library on which statements rest by a record.
+    """The axioms of the library on which statements rest by a record.
 
     Nothing where the record does not have them all.
     """
     statements = [known["statements"].get(id) for id in ids]
     if None in statements:
         return frozenset()
-    common = {*map(rule_of, known_there()), REALS, INTEGERS}
-    return frozenset(name for said in statements for name in said["rests"] if name in common)
+    return frozenset(name for said in statements for name in said["rests"] if name in LIBRARY)
 
 
 def asked(

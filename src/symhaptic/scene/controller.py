@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from symhaptic.loops.controller import recursion
-from symhaptic.loops.velocity import Difference, Measured
+from symhaptic.loops.velocity import Difference, Filter, Measured
 from symhaptic.scene.loop import DeviceLoop
 from symhaptic.scene.walls import is_stable
 
@@ -18,8 +19,8 @@ _TESTED = 64
 def files(scene: DeviceLoop, K: float, B: float, single: bool = False) -> dict[str, str]:
     """wall.h, wall.c and test_wall.c of a wall in SI units.
 
-    Raises :class:`ValueError` for a wall that the scene does not keep stable, and for a velocity
-    that is not computed from positions.
+    Raises :class:`ValueError` for a wall that the scene does not keep stable, for a velocity that
+    is not computed from positions, and for a wall that single precision cannot hold.
     """
     velocity = scene.velocity or Difference()
     if isinstance(velocity, Measured):
@@ -31,6 +32,8 @@ def files(scene: DeviceLoop, K: float, B: float, single: bool = False) -> dict[s
         raise ValueError(f"K: {K!r} with B={B!r} is not stable for this device; give a stable wall")
     period = scene.sampling_period
     above, below = recursion(velocity, period)
+    if single:
+        _check_single(scene, K, B)
     real, f = ("float", "f") if single else ("double", "")
     units = {name: scene.printed(unit) for name, unit in (("K", "N/m"), ("B", "N*s/m"))}
     rotary = scene.rotary
@@ -62,6 +65,43 @@ def files(scene: DeviceLoop, K: float, B: float, single: bool = False) -> dict[s
         "count": len(positions),
     }
     return {"wall.h": _HEADER % words, "wall.c": _SOURCE % words, "test_wall.c": _TEST % words}
+
+
+def _check_single(scene: DeviceLoop, K: float, B: float) -> None:
+    """Raise :class:`ValueError` if the wall is another one in single precision, or not stable."""
+    T = scene.sampling_period
+    numbers = {"K": K, "B": B, "virtual_mass": scene.virtual_mass or 0.0, "sampling_period": T * T}
+    float32 = np.finfo(np.float32)
+    for name, value in numbers.items():
+        if value and not float32.tiny < abs(value) * _TINY_MOTION < abs(value) < float32.max:
+            given = f"{T!r} squared" if name == "sampling_period" else repr(value)
+            raise ValueError(
+                f"{name}: {given} is beyond the range of single precision; give double precision"
+            )
+    velocity = scene.velocity or Difference()
+    if velocity.over:
+        return  # its coefficients are alike
+    above, below = (np.array(c, np.float32).astype(float) for c in recursion(velocity, T))
+    gain = above.sum() / (1 + below.sum()) if 1 + below.sum() else np.inf
+    poles = np.roots([1.0, *below])
+    if not abs(gain - 1) < _GAIN or np.any(np.abs(poles) >= 1):
+        raise ValueError(
+            f"velocity: {velocity.words} loses its digits in single precision, where its poles are "
+            "too near to 1; give double precision"
+        )
+    rounded = replace(scene, velocity=Filter((above / gain).tolist(), [1.0, *below]))
+    if not is_stable(rounded, K, B * gain):
+        raise ValueError(
+            f"K: {K!r} with B={B!r} is not stable with a filter in single precision; "
+            "give double precision"
+        )
+
+
+_TINY_MOTION = 1e-7
+"""Forces of motions of this size in m or rad have all digits, too."""
+
+_GAIN = 1e-3
+"""By this part a constant velocity may be wrong."""
 
 
 def _motion(scene: DeviceLoop, K: float, B: float) -> tuple[list[float], list[float]]:
@@ -110,7 +150,8 @@ typedef struct {
 void wall_begin(wall_state *state, %(real)s position);
 
 /* The force in %(force)s for a position in %(position)s.
-   The wall is at positions > 0 and only pushes, towards negative positions. */
+   The wall is at positions > 0 and only pushes, towards negative positions.  A position that is not
+   finite gives the force 0 and leaves the state as it is. */
 %(real)s wall(wall_state *state, %(real)s position);
 
 #endif
@@ -131,7 +172,7 @@ enum { ABOVE = %(many)d, BELOW = %(past)d, HELD = %(held)d };
 void wall_begin(wall_state *state, %(real)s position)
 {
     int n;
-    state->position = position;
+    state->position = position - position == 0 ? position : 0;
     for (n = 0; n < HELD; n++)
         state->differences[n] = 0;
     for (n = 0; n < %(kept)d; n++)
@@ -142,6 +183,8 @@ void wall_begin(wall_state *state, %(real)s position)
 {
     %(real)s velocity = 0, change, force;
     int n;
+    if (!(position - position == 0)) /* NaN or infinite: it would stay in the filter */
+        return 0;
     for (n = HELD - 1; n > 0; n--)
         state->differences[n] = state->differences[n - 1];
     state->differences[0] = position - state->position;

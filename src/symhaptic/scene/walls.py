@@ -8,6 +8,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, fields, replace
+from fractions import Fraction
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,8 +18,9 @@ from symhaptic.loops.oversampled import Oversampled
 from symhaptic.loops.sensor import quantisation_limit
 from symhaptic.loops.trace import LONGEST as LONGEST_TRACED
 from symhaptic.loops.trace import Trace
-from symhaptic.notation.quantities import in_unit, number, with_unit
+from symhaptic.notation.quantities import decimal, in_unit, number, with_unit
 from symhaptic.numeric import arguments, boundary, passivity, stability
+from symhaptic.numeric import certified as by_balls
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.given import Given
 from symhaptic.numeric.tracing import extremes, margin
@@ -33,19 +36,65 @@ if TYPE_CHECKING:
     from symhaptic.numeric.extremum import Extremum
 
 
-def is_stable(scene: DeviceLoop, K: Any, B: Any) -> Any:
+def is_stable(scene: DeviceLoop, K: Any, B: Any, certified: bool = False) -> Any:
     """Whether all characteristic roots lie inside the unit circle."""
+    if certified:
+        from symhaptic.balls.winding import stable
+
+        return _certified(stable, scene, _in_decimals(scene, scene.periods), K, B)
     if scene.further:
         return _of_walls(scene.engine.is_stable, scene, (), K, B, bool)
     return _of_walls(stability.is_stable, scene, scene.dimensionless, K, B, bool)
 
 
-def is_passive(scene: DeviceLoop, K: Any, B: Any) -> Any:
+def is_passive(scene: DeviceLoop, K: Any, B: Any, certified: bool = False) -> Any:
     """Whether no motion extracts energy, by the damping of the device alone (3)."""
     alone = scene.device
+    if certified:
+        loop = _in_decimals(alone, alone.periods)[1:]
+        return _certified(by_balls.passively, alone, loop, K, B)
     if scene.further:
         return _of_walls(alone.engine.is_passive, alone, (), K, B, bool)
     return _of_walls(passivity.is_passive, alone, alone.dimensionless[1:], K, B, bool)
+
+
+def _in_decimals(scene: DeviceLoop, periods: Fraction) -> tuple[Fraction, ...]:
+    """gamma, delta and the delay of the decimals that a scene is made of, not rounded."""
+    stiff, damped = _exact_units(scene)
+    moved = scene.coupled
+    return decimal(moved.stiffness or 0) * stiff, decimal(moved.damping or 0) * damped, periods
+
+
+def _exact_units(scene: DeviceLoop) -> tuple[Fraction, Fraction]:
+    """T^2/m and T/m."""
+    period, mass = decimal(scene.sampling_period), decimal(scene.coupled.mass)
+    return period**2 / mass, period / mass
+
+
+def _certified(
+    ask: Callable[..., bool | None],
+    scene: DeviceLoop,
+    loop: tuple[Fraction, ...],
+    K: Any,
+    B: Any,
+) -> Any:
+    """A verdict that is right for the decimals that were given, in balls of growing precision."""
+    if scene.further:
+        raise ValueError(
+            "certified: True is not allowed for a loop with a filter, an actuator, a second or a "
+            "virtual mass, or another integrator; leave it out"
+        )
+    from flint import fmpq
+
+    stiff, damped = _exact_units(scene)
+
+    def verdict(K: Fraction, B: Fraction) -> bool | None:
+        numbers = K * stiff, B * damped, *loop
+        return ask(*(fmpq(n.numerator, n.denominator) for n in numbers))
+
+    answer = kept(verdict=bool)(partial(by_balls.of_walls, verdict))
+    walls = in_unit("K", K, scene.unit("N/m")), in_unit("B", B, scene.unit("N*s/m"))
+    return _one(answer(*walls), bool)
 
 
 def why_not_passive(scene: DeviceLoop) -> str:

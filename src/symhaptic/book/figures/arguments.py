@@ -56,14 +56,14 @@ def _plane(axes: Axes, radius: float = 1.25) -> None:
 
 
 def half_circle(axes: Any) -> None:
-    """Where the wall leads on the half circle, and how far the polynomial turns on it."""
+    """Where the wall dominates on the half circle, and how far the polynomial turns on it."""
     left, right = axes
     alpha, beta = 0.55, 0.5
     z = np.exp(1j * HALF)
     plant, wall = _parts(z, alpha, beta)
     leads = np.abs(wall) > np.abs(plant)
     _plane(left)
-    for part, colour, label in ((~leads, PLANT, "plant leads"), (leads, WALL, "wall leads")):
+    for part, colour, label in ((~leads, PLANT, "plant larger"), (leads, WALL, "wall larger")):
         drawn = np.where(part, z, np.nan)
         left.plot(drawn.real, drawn.imag, color=colour, linewidth=2.2, label=label)
     roots = _roots(alpha, beta)

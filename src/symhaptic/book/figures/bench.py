@@ -31,6 +31,7 @@ _COLOURS = {
     "Jury table": COLOURS[6],
     "counted": COLOURS[0],
     "counted, C": COLOURS[2],
+    "certified": COLOURS[3],
     "linear": COLOURS[5],
     "mass alone": COLOURS[6],
     "no damping": COLOURS[4],

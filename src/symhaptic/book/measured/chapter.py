@@ -21,7 +21,8 @@ def measurement(path: Path) -> section | None:
     if not path.is_file():
         return None
     record = records.read(path)
-    floats, digits, boundary, times, wrong, models, peers = map(_table, tables(record))
+    every = map(_table, tables(record))
+    calls, judges, floats, digits, boundary, times, wrong, models, peers = every
     says = {name: typeset(text) for name, text in sentences(record).items()}
     return tree.section(
         "Speed against error",
@@ -32,6 +33,8 @@ def measurement(path: Path) -> section | None:
             r"\texttt{symhaptic bench} measures again."
         ),
         tree.paragraph(about(record), " ", record["method"]),
+        *calls,
+        *judges,
         tree.rubric("Formulas"),
         _prose(
             r"As printed, (14) and (18) are $0/0$ for $\gamma=0$ and at critical damping, and "

@@ -22,7 +22,7 @@ FIELDS: dict[str, dict[str, Any]] = {
     },
     "stability": {
         "delay": int, "method": str, "walls": int, "seconds": NUMBER, "wrong": dict,
-        "refused": NUMBER,
+        "open": dict, "near": dict, "refused": NUMBER,
     },
     "models": {
         "delay": int, "model": str, "damping": NUMBER, "seconds": NUMBER, "median": NUMBER,

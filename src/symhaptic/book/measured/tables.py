@@ -66,6 +66,8 @@ def nanoseconds(seconds: float) -> str:
 def tables(record: dict[str, Any]) -> list[Table]:
     """All tables of a record, in the order of its sections."""
     return [
+        calls(record["functions"]),
+        judges(record["stability"]),
         _floats(record["functions"]),
         _digits(record["functions"]),
         _boundary(record["boundary"]),
@@ -74,6 +76,76 @@ def tables(record: dict[str, Any]) -> list[Table]:
         _models(record["models"]),
         _peers(record["peers"]),
     ]
+
+
+ERRORS = (1e-5, 1e-14, 1e-28, 1e-48)
+"""Errors for which the fastest call is listed."""
+
+_OFFERED = {
+    ("C", "float64"): "exported C",
+    ("package", "float64"): "symhaptic",
+    ("stable", "float32"): "lambdify, float32",
+    ("stable", "float64"): "lambdify",
+    ("stable", "30 digits"): "lambdify, mpmath, 30 digits",
+    ("stable", "50 digits"): "lambdify, mpmath, 50 digits",
+    ("package", "30 digits"): "digits=30",
+    ("package", "50 digits"): "digits=50",
+}
+"""Ways to compute that the package offers, and how they are asked for."""
+
+
+def calls(rows: list[Row]) -> Table:
+    """For each function and error the fastest call that keeps it on all points."""
+    found = []
+    for name in _names(rows, "function"):
+        cells = [words(name)]
+        for most in ERRORS:
+            good: list[tuple[float, str]] = []
+            for (way, precision), call in _OFFERED.items():
+                at = chosen(rows, function=name, way=way, precision=precision)
+                if at and all(_keeps(row, most) for row in at):
+                    good.append((max(row["seconds"] for row in at), call))
+            seconds, call = min(good, default=(0.0, ""))
+            cells.append(f"{call}: {nanoseconds(seconds)}" if call else "-")
+        found.append(tuple(cells))
+    says = (
+        "The fastest call whose error, in parts of the largest term, is at most this on all "
+        "ordinary and hard parameters, none of them NaN, and its time per value."
+    )
+    head = ("function", *(f"to {_power(most)}" for most in ERRORS))
+    return Table("For this error, take this call", head, tuple(found), len(head), says)
+
+
+def _keeps(row: Row, most: float) -> bool:
+    if row["precision"].endswith("digits") and row["last"] > 10 * most:
+        return False  # what is asked for counts, not what it happens to be
+    return row["missing"] == 0 and row["worst"] is not None and row["worst"] * row["last"] <= most
+
+
+_JUDGES = {
+    "counted": "is_stable",
+    "counted, C": "is_stable in exported C",
+    "certified": "is_stable, certified=True",
+}
+
+
+def judges(rows: list[Row]) -> Table:
+    """For each distance from the boundary the fastest call that judges all walls, and rightly."""
+    found = []
+    for distance in rows[0]["wrong"]:
+        good = []
+        for method, call in _JUDGES.items():
+            at = chosen(rows, method=method)
+            if at and all(r["wrong"][distance] == r["open"][distance] == 0 for r in at):
+                good.append((max(r["near"][distance] for r in at), call))
+        seconds, call = min(good, default=(0.0, "-"))
+        found.append((_power(distance), call, nanoseconds(seconds) if good else "-"))
+    says = (
+        "The fastest call that gives a verdict, and the right one, for all walls at a relative "
+        "distance from the boundary, and its time per wall there, of all delays the longest."
+    )
+    head = ("distance", "call", "time")
+    return Table("For this distance, take this call", head, tuple(found), 2, says)
 
 
 def words(name: str) -> str:
@@ -256,12 +328,16 @@ def _peers(rows: list[Row]) -> Table:
 
 def markdown(record: dict[str, Any]) -> str:
     """All tables as Markdown."""
-    lines = [f"# Speed against error\n\n{about(record)} {record['method']}"]
-    for table in tables(record):
-        lines += [f"\n## {table.title}\n\n{table.says}\n", f"| {' | '.join(table.head)} |"]
-        lines.append("|" + "---|" * len(table.head))
-        lines += [f"| {' | '.join(row)} |" for row in table.rows]
-    return "\n".join(lines) + "\n"
+    begin = f"# Speed against error\n\n{about(record)} {record['method']}"
+    return "\n".join([begin, *map(in_markdown, tables(record))]) + "\n"
+
+
+def in_markdown(table: Table, level: str = "##") -> str:
+    """A table as Markdown, below its title."""
+    lines = [f"\n{level} {table.title}\n\n{table.says}\n", f"| {' | '.join(table.head)} |"]
+    lines.append("|" + "---|" * len(table.head))
+    lines += [f"| {' | '.join(row)} |" for row in table.rows]
+    return "\n".join(lines)
 
 
 def about(record: dict[str, Any]) -> str:

@@ -87,7 +87,7 @@ def page(chapter: Chapter, place: Place) -> nodes.section:
         blocks += _BLOCKS[block.kind](block, f"Step {steps}. ", place)
     if chapter.page.settled:
         forms = (_printed(item, place) for item in chapter.page.settled.values())
-        blocks.append(section("The printed forms beside it", *forms))
+        blocks.append(section("The published statements", *forms))
     return section(
         [f"{place.number}. ", words(chapter.title)],
         *blocks,

@@ -41,7 +41,7 @@ MEANINGS = (
     (Kind.PROVED, "holds for all values of its domain"),
     (Kind.ENCLOSED, "a number or inequality holds, by ball arithmetic"),
     (Kind.QUALIFIED, "holds under a condition that the paper does not state"),
-    (Kind.MISPRINT, "false as printed, true as corrected"),
+    (Kind.MISPRINT, "false as published, true as corrected"),
     (Kind.REFUTED, "false"),
     (Kind.EXTERNAL, "rests on data outside the paper"),
     (Kind.SLIP, "a wrong name, number or reference in the text; not a theorem"),

@@ -59,7 +59,7 @@ TASKS: tuple[tuple[str, Part], ...] = (
     ("What is modelled, and which formula is for what?", led("page", "model")),
     (
         "How stiff may my wall be?",
-        [led("page", "limits"), ", or ", led("page", "explorer", "turn a loop by hand")],
+        [led("page", "limits"), ", or ", led("page", "explorer", "change a loop in the explorer")],
     ),
     ("From a device to C in ten minutes", led("page", "tutorial")),
     (

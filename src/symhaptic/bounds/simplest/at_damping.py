@@ -19,7 +19,8 @@ from typing import NamedTuple
 import sympy as sp
 from flint import arb, arb_poly
 
-from symhaptic.bounds.balls import TooMany, exact, narrowed, pieces
+from symhaptic.balls.zeros import narrowed
+from symhaptic.bounds.balls import TooMany, exact, pieces
 from symhaptic.bounds.simplest.cost import positive
 from symhaptic.bounds.simplest.plants import (
     NAMES,

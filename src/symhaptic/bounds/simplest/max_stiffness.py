@@ -16,7 +16,8 @@ import sympy as sp
 from flint import arb
 from sympy import Expr
 
-from symhaptic.bounds.balls import TooMany, narrowed, pieces
+from symhaptic.balls.zeros import narrowed
+from symhaptic.bounds.balls import TooMany, pieces
 from symhaptic.bounds.simplest.plants import (
     NAMES,
     Box,

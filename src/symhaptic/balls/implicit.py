@@ -1,6 +1,6 @@
 """Exact values of what is searched for: a fine grid, then Newton's steps on power series of balls.
 
-Made of the formulas in :mod:`symhaptic.bench.closed`.
+Made of the formulas in :mod:`symhaptic.balls.closed`.
 """
 
 from __future__ import annotations
@@ -13,9 +13,15 @@ from typing import Any
 import flint
 from flint import arb, arb_series
 
-from symhaptic.bench import closed, winding
-from symhaptic.bench.closed import HALF, SHORT, required_damping, required_damping_at
-from symhaptic.bounds.balls import narrowed
+from symhaptic.balls import closed, winding
+from symhaptic.balls.closed import (
+    HALF,
+    SHORT,
+    periods,
+    required_damping,
+    required_damping_at,
+)
+from symhaptic.balls.zeros import narrowed
 
 _MANY = 40
 """Angles up to theta (d + 1) = pi."""
@@ -55,7 +61,7 @@ def largest_required_damping(alpha: float, beta: float, d: float) -> tuple[Any, 
     R (1 + rho)/2, which falls with the angle.  Pieces of the first half turns of the delay are
     enclosed up to the angle from which this bound is below what was found.
     """
-    whole = math.floor(d)
+    whole = periods(d)
     part = arb(d) - whole
     turn = arb.pi() / (arb(d) + 1)
     if alpha == 0 and (part == 0 or beta == 0):

@@ -28,6 +28,11 @@ def value(x: Any) -> Any:
     return x[0] if isinstance(x, arb_series) else arb(x)
 
 
+def periods(d: Any) -> int:
+    """The whole periods of a delay, which is a number or one of flint's rational ones."""
+    return math.floor(d) if isinstance(d, int | float) else int(d.floor())
+
+
 def split(d: Any) -> tuple[int, Any]:
     """A delay as whole periods and the fraction that is left."""
     whole = math.floor(float(value(d)))

@@ -8,7 +8,7 @@ from typing import Any
 
 from flint import arb, arb_series
 
-from symhaptic.bench import closed, implicit
+from symhaptic.balls import closed, implicit
 
 EXACT: dict[str, Callable[..., tuple[Any, ...]]] = {
     "discretize": closed.device,

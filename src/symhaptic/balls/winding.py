@@ -20,8 +20,8 @@ import flint
 import numpy as np
 from flint import acb, acb_poly, arb, arb_poly
 
-from symhaptic.bench.closed import delayed, device
-from symhaptic.bounds.balls import narrowed
+from symhaptic.balls.closed import delayed, device, periods
+from symhaptic.balls.zeros import narrowed
 
 BITS = (160, 320, 640, 1280, 2560)
 """Working precisions, tried one after the other."""
@@ -66,7 +66,7 @@ def unstable(alpha: float, beta: float, gamma: float, delta: float, delay: float
     """
     if on_circle(alpha, beta, gamma, delta):
         return None
-    whole = math.floor(delay)
+    whole = periods(delay)
     for bits in BITS:
         with flint.ctx.workprec(bits):
             try:
@@ -105,7 +105,8 @@ def count(alpha: Any, beta: Any, gamma: Any, x: Plant, whole: Any) -> int:
         return [_angle(x.force - sums * y / 2, gap, y), _angle(al - both * y / 2, both, y)]
 
     row = surplus(al, be, g, x)
-    crossings = between(row)
+    close = arb(2) ** (-flint.ctx.prec // 3) if flint.ctx.prec > BITS[0] else None
+    crossings = between(row, close)
     leads = _sign(next((c for c in row if not c.is_zero()), arb(0))) > 0
     angles, turns = (free if leads else moved)(arb(0)), 0
     begin = sum((angle for angle, _ in angles), arb(0))
@@ -346,7 +347,7 @@ def _critical_dampings(alpha: float, gamma: float, delta: float, delay: float) -
     z^(l+1) N M* + N* M is 0, with * for coefficients in reverse.  This is z + 1 times a
     polynomial in y = 2 - z - 1/z.
     """
-    whole = math.floor(delay)
+    whole = periods(delay)
     x = plant(gamma, delta, arb(delay) - whole)
     moved, turned = [x.m0, x.m1, x.m2], [x.m2, x.m1, x.m0]
     shift = arb_poly([0] * (whole + 2) + [1])
@@ -429,7 +430,7 @@ _HEIGHTS = 1 - 1e-6, 0.9, 0.5, 0.1, 1e-3
 
 def _tops(gamma: float, delta: float, delay: float) -> list[float]:
     """Stiffnesses of the tops of the boundary above -gamma, in floats, the largest first."""
-    whole = math.floor(delay)
+    whole = periods(delay)
     with flint.ctx.workprec(BITS[2]):
         x = plant(gamma, delta, arb(delay) - whole)
         m2, m1, m0, a, e = (float(v) for v in x[:5])
