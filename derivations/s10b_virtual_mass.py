@@ -18,14 +18,10 @@ from symhaptic.book.lemmas.virtual_mass import (
     gives_energy,
     swings_up,
 )
-from symhaptic.book.sources import CLAIMED, STATEMENTS
 from symhaptic.loops.velocity import DIFFERENCE
 from symhaptic.model import plant
 from symhaptic.model.parts import Parts
 from symhaptic.notation import B, K, T, b, d, m, m_v, theta, z
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 ALONE, BESIDE, FREE = "rules:virtual-mass", "rules:virtual-wall", "rules:virtual-mass-stable"
 STILL = {K: S.Zero, B: S.Zero, m_v: S.One / 4, b: S.Half, T: S.One}
@@ -63,12 +59,10 @@ def derive(page):
         decides(),
         boxed=True,
     )
-    claim = CLAIMED[BESIDE](STATEMENTS[BESIDE].printed)
-    symbols, given, _ = taken_apart(claim)
     page.settle(
         BESIDE,
-        for_all(symbols, given, add_assum(found, *given)),
-        example=example(STILL, given),
+        found,
+        example=STILL,
         note="exact without delay, walls on the border included",
     )
     _alone(page)
@@ -77,22 +71,16 @@ def derive(page):
 
 def _alone(page):
     """A virtual mass and nothing else."""
-    claim = CLAIMED[ALONE](STATEMENTS[ALONE].printed)
-    symbols, given, _ = taken_apart(claim)
     found = page.lemma(
         "A virtual mass without spring and damper is passive if and only if $m_v\\le bT/2$", alone()
     )
     none = [Eq(K, 0), Eq(B, 0)]
-    given = [*given, *none]
     stiff, damped = STILL | {K: S.One}, STILL | {B: S.One}
     page.settle(
         ALONE,
-        for_all(symbols, given, add_assum(found, *given)),
-        example=example(STILL, given),
-        unless=[
-            counterexample(claim, stiff, gives_energy(stiff), holds=none[1:], but=none[0]),
-            counterexample(claim, damped, gives_energy(damped), holds=none[:1], but=none[1]),
-        ],
+        found,
+        example=STILL,
+        unless={none[0]: (stiff, gives_energy(stiff)), none[1]: (damped, gives_energy(damped))},
         shows="$b=\\tfrac12$, $T=1$, $m_v=\\tfrac14$: the virtual mass takes all the damping, and "
         "none is left for a spring",
         note="exact for a virtual mass alone; a spring and a damper want damping of their own",
@@ -112,16 +100,13 @@ def _free(page):
         because="what is left of the loop's polynomial beside $(z-1)^2$, the free motion at "
         "constant speed, which a virtual mass does not slow down",
     )
-    claim = CLAIMED[FREE](STATEMENTS[FREE].printed)
-    symbols, given, _ = taken_apart(claim)
     found = page.lemma("Without delay a virtual mass is stable just below $2m$", free())
-    given = [*given, Eq(d, 0)]
     slow = {m_v: Rational(3, 2), m: S.One, d: S.One}
     page.settle(
         FREE,
-        for_all(symbols, given, add_assum(found, *given)),
-        example=example(slow | {d: S.Zero}, given),
-        unless=[counterexample(claim, slow, swings_up(slow), but=Eq(d, 0))],
+        found,
+        example=slow | {d: S.Zero},
+        unless={Eq(d, 0): (slow, swings_up(slow))},
         shows="$m_v=\\tfrac32m$ delayed by one period swings up",
         note="exact for a free mass without delay",
     )

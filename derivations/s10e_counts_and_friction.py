@@ -15,11 +15,8 @@ from symhaptic.book.lemmas.counts import (
     spring_passive,
     wall_passive,
 )
-from symhaptic.book.sources import CLAIMED, STATEMENTS
 from symhaptic.notation import Delta_x, K, T, b, f_c, h, p_k, x, y
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, conj
-from symhaptic.proof.theorems.tactics import example, for_all
+from symhaptic.proof.theorems.kernel import conj
 
 RULE = "rules:counts-and-friction"
 
@@ -69,8 +66,6 @@ def derive(page):
         across_many(FORCES[1]),
         because="a swing over many counts, with a loss that grows with the square of the way",
     )
-    claim = CLAIMED[RULE](STATEMENTS[RULE].printed)
-    symbols, given, _ = taken_apart(claim)
     found = page.lemma(
         "A counted spring is passive if and only if it meets both bounds, and so is a counted wall",
         conj(*map(decides, FORCES)),
@@ -79,8 +74,8 @@ def derive(page):
     point = {K: S.One, b: S.One, f_c: S.One, T: S.One, Delta_x: S.One}
     page.settle(
         RULE,
-        for_all(symbols, given, add_assum(found, *given)),
-        example=example(point, given),
+        found,
+        example=point,
         note="exact without delay and virtual damping, both borders included. A spring that damps "
         "by differences of counts, or behind a delay, needs more",
     )

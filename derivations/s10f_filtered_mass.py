@@ -5,26 +5,12 @@ a free mass we find how stiff the wall may be, and ask whether the filter counts
 time constant.
 """
 
-from sympy import S
-
-from symhaptic.book.lemmas.decided import escapes, in_z
-from symhaptic.book.lemmas.filtered_mass import (
-    LITTLE,
-    LOOP,
-    below_the_tangent,
-    counted_as_delay,
-    decides,
-    in_units,
-)
-from symhaptic.book.sources import CLAIMED, STATEMENTS
+from symhaptic.book.lemmas.decided import SI, escapes, in_z
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.sources import STATEMENTS
 from symhaptic.loops.velocity import DIFFERENCE, exponential_average
-from symhaptic.model import plant
-from symhaptic.model.parts import Parts
-from symhaptic.notation import B, K, T, alpha, beta, f_v, m, tau_f, z
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
-from symhaptic.rules.other_loops import LOW_PASS
+from symhaptic.notation import f_v, tau_f
+from symhaptic.rules.other_loops import AVERAGING, LOW_PASS, POLE
 
 EXACT, DELAY = "rules:low-pass-mass", "rules:filter-as-delay"
 
@@ -52,8 +38,6 @@ def derive(page):
         "meets it together with the others",
     )
     printed = STATEMENTS[EXACT].printed
-    claim = CLAIMED[EXACT](printed)
-    symbols, given, _ = taken_apart(claim)
     found = page.lemma(
         "A free mass with a filtered velocity is stable just within these bounds",
         decides(*printed),
@@ -62,8 +46,8 @@ def derive(page):
     soft = {K: S.One / 4, B: S.One / 4, T: S.One, m: S.One, tau_f: S.One}
     page.settle(
         EXACT,
-        for_all(symbols, given, add_assum(found, *given)),
-        example=example(soft, given),
+        found,
+        example=soft,
         note="exact without delay; for $\\tau_f=0$ it is the limit of a wall without filter",
     )
     _tangent(page, printed)
@@ -92,23 +76,117 @@ def _tangent(page, printed):
 
 
 def _delay(page, printed, soft):
-    claim = CLAIMED[DELAY](STATEMENTS[DELAY].printed)
-    symbols, given, _ = taken_apart(claim)
     [rule] = STATEMENTS[DELAY].printed
     found = page.lemma(
         "With little damping a filter takes less stiffness than the same delay of the wall",
         counted_as_delay(rule, *printed),
         boxed=True,
     )
-    given = [*given, LITTLE]
     strong = soft | {K: S.Half, B: S.One}
     page.lemma("With $m=T=\\tau_f=B=1$ the stiffness $\\frac12$ grows", escapes(LOW_PASS, strong))
     page.settle(
         DELAY,
-        for_all(symbols, given, add_assum(found, *given)),
-        example=example(soft | {K: S.One / 8}, given),
-        unless=[counterexample(claim, strong, escapes(LOW_PASS, strong), but=LITTLE)],
+        found,
+        example=soft | {K: S.One / 8},
+        unless={LITTLE: (strong, escapes(LOW_PASS, strong))},
         shows="$m=T=\\tau_f=B=1$: $K<\\tfrac23$ is allowed, and $K=\\tfrac12$ grows",
         note="at the origin the rule is too careful by the factor $1+2\\tau_f/T$; from "
         "$B=2m\\tau_f/(T(T+4\\tau_f))$ on it allows too much, and for $\\tau_f=0$ everywhere",
     )
+
+
+# A free mass at a wall whose damper takes a filtered velocity: which stiffness is stable.
+
+UNITS = {T: S.One, m: S.One}
+LOOP: Any = AVERAGING.at(UNITS)
+LEFT = f_v * (1 + f_v) * K**2 + (1 - f_v) * (2 * (1 - f_v) + (1 + 3 * f_v) * B) * K
+QUADRATIC: Any = proposition(2 * (1 - f_v) ** 2 * B * (2 - B) - LEFT > 0)
+"""The last of Jury's inequalities for m = T = 1, which is quadratic in the stiffness."""
+
+BOUNDS = And((proposition(K > 0), proposition(B > 0), QUADRATIC))
+HERE = Given(*POLE)
+for claim in 1 - f_v > 0, 1 + f_v > 0:
+    HERE.have(claim)
+
+
+@cache
+def in_units() -> Theorem:
+    """stable <=> K > 0, B > 0 and the quadratic inequality, for m = T = 1 and 0 <= f_v < 1."""
+    criterion = HERE.closed(jury(LOOP.of[0], z))
+    wanted: Any = criterion.conclusion.of[1]  # type: ignore[attr-defined]
+    inside = mp(criterion, assume(LOOP))
+    first, second, _, last = (conjunct(inside, p) for p in wanted.parts)
+    pushes = HERE.show(K > 0, over(K > 0, first, HERE.show(1 - f_v > 0)))
+    room = show(QUADRATIC, last)
+    # against the damping: with -B = y >= 0 the quadratic is minus a sum of products
+    slack = positive(f_v * K + (1 - f_v) * B > 0, [S.Half, second])
+    none = HERE.and_(pushes, slack, B <= 0)
+    against = combined(
+        QUADRATIC.right <= 0,
+        [2, slack, slack],
+        [slack, pushes, none.show(1 - f_v > 0)],
+        [2, pushes, none.show(1 - f_v > 0), none.show(1 - f_v > 0)],
+        [4, none.show(-B >= 0), none.show(1 - f_v > 0), none.show(1 - f_v > 0)],
+    )
+    never = contr(not_intro(room, against), B > 0)
+    damps = disj_cases(ordered(S.Zero, B), assume(B > 0), never)
+    bounds = HERE.and_(*BOUNDS.of)
+    back = mp(criterion, bounds.show(wanted))
+    return HERE.closed(either_way(back, conj(pushes, damps, room), BOUNDS, LOOP))
+
+
+TAU = SI.and_(tau_f >= 0)
+SCALE = {K: K * T**2 / m, B: B * T / m, f_v: tau_f / (T + tau_f)}
+SHARES = (m / T**2, m / T, (m * (T + tau_f) / T**2) ** 2)
+"""What each bound is multiplied by to be in SI units."""
+
+
+@cache
+def decides(*printed: Any) -> Theorem:
+    """stable <=> the bounds in SI units, with the time constant of the filter."""
+    for positive_ in T + tau_f > 0, m * (T + tau_f) / T**2 > 0, 1 / (T + tau_f) > 0:
+        TAU.have(positive_)
+    found = inst(in_units(), SCALE)
+    bounds, loop = found.conclusion.of  # type: ignore[attr-defined]
+    wanted = both(printed)
+    there, back = [], []
+    for raw, bound, share in zip(bounds.of, conjuncts(wanted), SHARES, strict=True):
+        known, given = conjunct(assume(bounds), raw), conjunct(assume(wanted), bound)
+        there.append(combined(bound, [TAU.show(share > 0), known]))
+        back.append(combined(raw, [TAU.show(1 / share > 0), given]))
+    forth = mp(found, conj(*back))
+    here = prove_hyp(conj(*there), mp(found, assume(loop)))
+    same = either_way(forth, here, wanted, loop)
+    return TAU.closed(same, TAU.show(1 / T > 0))
+
+
+LITTLE = proposition(2 * m * tau_f / (T * (T + 4 * tau_f)) >= B)
+"""So little damping that the filter takes less from the stiffness than the same delay does."""
+
+
+@cache
+def counted_as_delay(rule: Any, *printed: Any) -> Theorem:
+    """Below B/(T/2 + tau) a wall is stable, for little damping."""
+    here = TAU.and_(K > 0, B > 0, rule, LITTLE)
+    end = B / (T / 2 + tau_f)
+    known = here.show(end > 0), assume(K > 0)
+    below = assume(rule)
+    far, slope = here.show(T + 2 * tau_f > 0), here.show(2 * m + B * (T + 4 * tau_f) > 0)
+    share = here.show(B * (T + 4 * tau_f) / (T + 2 * tau_f) > 0)
+    rows = [[below, assume(tau_f >= 0), far, t] for t in known]
+    room = combined(printed[-1], *rows, [below, slope], [4, share, assume(LITTLE)])
+    bounds = conj(assume(K > 0), assume(B > 0), room)
+    return here.closed(mp(decides(*printed), bounds))
+
+
+@cache
+def below_the_tangent(*printed: Any) -> Theorem:
+    """A stable wall has K < 2B/T, whatever the filter."""
+    inside = mp(decides(*printed), assume(LOW_PASS))
+    pushes, damps, room = (conjunct(inside, p) for p in conjuncts(inside.conclusion))
+    here = TAU.and_(pushes, damps)
+    far, slope = here.show(T + 2 * tau_f > 0), here.show(B * (T + 4 * tau_f) > 0)
+    rows = [pushes, pushes, assume(tau_f >= 0), far], [pushes, slope], [2, damps, damps]
+    share = here.show(1 / (2 * m) > 0)
+    found = combined(K < 2 * B / T, [share, room], *([share, *row] for row in rows))
+    return TAU.closed(found)

@@ -6,21 +6,15 @@ simulates the mass by backward Euler, and a spring and a damper couple it to the
 each number and each relation of the record.
 """
 
-from sympy import Eq, Rational, S
-
-from symhaptic.book.lemmas.coupling import drives, fades_alone, loses_energy, passive_by_device
-from symhaptic.book.lemmas.decided import escapes
+from symhaptic.book.lemmas.decided import SI, escapes
+from symhaptic.book.lemmas.filtered_wall import decides
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.prelude import show
+from symhaptic.book.lemmas.undelayed import by_sign_of_damping
 from symhaptic.book.lemmas.virtual_mass import free, swings_up
-from symhaptic.book.sources import CLAIMED, STATEMENTS
-from symhaptic.notation import B, K, T, b, d, k, m, m_v, v, x, z
-from symhaptic.notation.proposition import proposition
-from symhaptic.paper.reading import read
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, subst
-from symhaptic.proof.theorems.leaves import number, roots_inside
-from symhaptic.proof.theorems.tactics import counterexample, every, example, for_all
-from symhaptic.rules.coupling import AFTER, BEFORE, NEXT_V, NEXT_X, SPRUNG
+from symhaptic.book.sources import STATEMENTS
+from symhaptic.notation import f_v, m_v
+from symhaptic.rules.coupling import AFTER, BEFORE, NEXT_V, NEXT_X, SPRUNG, STEP
 
 DAMPER, HEAVY, BESIDE, IMPLICIT = (
     f"coupling:{name}" for name in ("damper", "stable-mass", "beside-spring", "implicit")
@@ -44,8 +38,6 @@ def _damper(page):
         "heavy one, which stays where it is. Then the coupling is a wall."
     )
     [right] = read(RIGHT)
-    claim = CLAIMED[DAMPER](STATEMENTS[DAMPER].printed)
-    symbols, given, _ = taken_apart(CLAIMED[DAMPER]((right,)))
     found = page.lemma(
         "A coupling is passive if the damping of the device outweighs both its spring and its "
         "damper",
@@ -55,11 +47,11 @@ def _damper(page):
     wall = {K: S(2), B: S.One, b: S.One, T: S.One}
     page.settle(
         DAMPER,
-        for_all(symbols, given, add_assum(found, *given)),
+        found,
         corrected=[RIGHT],
         misprint=False,
-        example=example(wall | {b: S(2)}, given),
-        unless=[counterexample(claim, wall, drives(wall))],
+        example=wall | {b: S(2)},
+        unless=[(wall, drives(wall))],
         shows="$K=2$, $B=T=b=1$ meets the record and gives energy away; it needs $b=2$",
         note="the damper that has to outweigh $KT/2$ is that of the device, and a virtual damper "
         "needs damping of its own: more $B$ makes the coupling less passive",
@@ -68,8 +60,7 @@ def _damper(page):
 
 def _implicit(page):
     """The simulation of the mass."""
-    claim = CLAIMED[IMPLICIT](())
-    symbols, given, _ = taken_apart(claim)
+    symbols, given, _ = taken_apart(page.claim(IMPLICIT))
     page.say(
         "Backward Euler goes from $x$, $v$ to $p=x+Tq$ and $q=v-Tkp/m$. The energy is "
         "$\\frac12mv^2+\\frac12kx^2$ before and $\\frac12mq^2+\\frac12kp^2$ after the step."
@@ -84,12 +75,12 @@ def _implicit(page):
     step |= {NEXT_X: S.Half, NEXT_V: -S.Half}
     page.settle(
         IMPLICIT,
-        for_all(symbols, given, add_assum(found, *given)),
+        found,
         instead=every(symbols, given, AFTER <= BEFORE),
         corrected=[r"\text{the energy does not grow; each step that moves loses some}"],
         misprint=False,
-        example=example(step, given),
-        unless=[counterexample(claim, step)],
+        example=step,
+        unless=[step],
         shows="$m=k=T=1$: from $x=1$ at rest, half of the energy is left after one step",
         note="never more energy is what passivity needs; an oscillation of the simulated mass is "
         "damped by the method",
@@ -98,20 +89,15 @@ def _implicit(page):
 
 def _masses(page):
     """A virtual mass by the acceleration."""
-    claim = CLAIMED[HEAVY](STATEMENTS[HEAVY].printed)
-    symbols, given, _ = taken_apart(claim)
-    given = [*given, Eq(d, 0)]
     slow = {m_v: Rational(3, 2), m: S.One, d: S.One}
     page.settle(
         HEAVY,
-        for_all(symbols, given, add_assum(free(), *given)),
-        example=example(slow | {d: S.Zero}, given),
-        unless=[counterexample(claim, slow, swings_up(slow), but=Eq(d, 0))],
+        free(),
+        example=slow | {d: S.Zero},
+        unless={Eq(d, 0): (slow, swings_up(slow))},
         shows="$m_v=\\tfrac32m$ delayed by one period swings up",
         note="exact for a free mass without delay, see \\chapter{s10b_virtual_mass}",
     )
-    claim = CLAIMED[BESIDE](())
-    symbols, given, _ = taken_apart(claim)
     found = page.lemma(
         "A virtual mass that is stable beside a spring is stable alone",
         fades_alone(),
@@ -120,8 +106,8 @@ def _masses(page):
     stiff = {m_v: S.One, m: S.One, K: Rational(1, 10), T: S.One}
     page.settle(
         BESIDE,
-        for_all(symbols, given, add_assum(found, *given)),
-        example=example(stiff, given, roots_inside(SPRUNG.at(stiff).terms[0], z, {})),
+        found,
+        example=(stiff, roots_inside(SPRUNG.at(stiff).terms[0], z, {})),
         note="for a free mass without delay and damping",
     )
     light = {m_v: Rational(1, 4), m: S.One, K: Rational(1, 10), T: S.One}
@@ -135,14 +121,10 @@ def _masses(page):
 def _numbers(page):
     """What the record says of a device at 4 kHz."""
     for id in ("coupling:period", "coupling:noise"):
-        claim = CLAIMED[id](STATEMENTS[id].printed)
-        symbols, given, then = taken_apart(claim)
+        _, given, then = taken_apart(page.claim(id))
         at_rate = number(then.at({T: RATE}))
-        page.settle(
-            id,
-            for_all(symbols, given, subst(then, T, at_rate, show(Eq(RATE, T), *given))),
-            example=example({T: RATE}, given),
-        )
+        at_rate = subst(then, T, at_rate, show(Eq(RATE, T), *given))
+        page.settle(id, for_all([T], given, at_rate), example={T: RATE})
     page.settle("coupling:rest", number(proposition(STATEMENTS["coupling:rest"].printed[0])))
     page.say(
         "The second difference has the weights 1, $-2$ and 1. Errors of up to $e$ in three samples "
@@ -164,3 +146,51 @@ def _numbers(page):
         r"4.8\ \text{to}\ 6",
         "the record itself names 0.4 to 0.5 kg; of half of it the ratio would be 9.6 to 12",
     )
+
+
+# A coupling by spring and damper, a virtual mass beside a spring, and a step of backward Euler.
+
+
+@cache
+def _exact() -> Theorem:
+    """passive <=> K T/2 + B <= b and K T/2 - B <= b, for K >= 0: no filter."""
+    found = inst(decides(), {f_v: S.Zero})
+    return closed(found, fact(Relation(S.Zero, "<=", S.Zero)), fact(Relation(S.Zero, "<", S.One)))
+
+
+def passive_by_device(bound: Any) -> Theorem:
+    """A coupling is passive if the damping of the device is enough."""
+    fast, slow = _exact().conclusion.of[0].parts  # type: ignore[attr-defined]
+    up, down = magnitude(B), magnitude(B, negative=True)
+    push, brake = assume(B >= 0), positive(-B >= 0, B < 0)
+    damped = conj(positive(fast, [bound], [up, -1]), positive(slow, [bound], [up, -1], [2, push]))
+    driven = conj(
+        positive(fast, [bound], [down, -1], [2, brake]), positive(slow, [bound], [down, -1])
+    )
+    return mp(_exact(), by_sign_of_damping(damped, closed(driven, positive(B <= 0, B < 0))))
+
+
+def drives(point: Mapping[Any, Any]) -> Theorem:
+    """That a coupling in numbers is not passive."""
+    exact = inst(_exact(), point)
+    exact = closed(exact, *map(fact, exact.hypotheses))
+    bounds, passive = exact.conclusion.of  # type: ignore[attr-defined]
+    denial = not_all(bounds, number(negated(bounds.parts[0])))
+    return not_intro(mp(exact, assume(passive)), denial, passive)
+
+
+def fades_alone() -> Theorem:
+    """What is stable beside a spring is stable alone: m_v/(2m) is the product of the zeros."""
+    last = last_coefficient(assume(SPRUNG))
+    below = conjunct(last, last.conclusion.parts[1])
+    at_once = inst(free(), {d: S.Zero})
+    at_once = closed(at_once, identity(S.Zero, S.Zero))
+    bound = at_once.conclusion.of[0]  # type: ignore[attr-defined]
+    return mp(at_once, SI.closed(positive(bound, [2, m > 0, below])))
+
+
+def loses_energy() -> Theorem:
+    """After a step there is not more energy than before."""
+    moved, sped = (assume(proposition(e)) for e in STEP)
+    lost = [S.Half, m > 0, square(v - NEXT_V)], [S.Half, k > 0, square(x - NEXT_X)]
+    return positive(AFTER <= BEFORE, *lost, [moved, k * NEXT_X], [sped, m * NEXT_V])

@@ -32,8 +32,7 @@ def derive(page):
         "real delay there. The denominator, and with it the characteristic polynomial, depends "
         "on the sum only. A delay of the external force would enter the numerator alone."
     )
-    claim = CLAIMED["s2c-delays-lump"](())
-    symbols, given, _ = taken_apart(claim)
+    claim = page.claim("s2c-delays-lump")
     page.lemma(
         "Delays before the device, behind it and of the computation act as their sum",
         lumped(claim),
@@ -43,7 +42,7 @@ def derive(page):
     point = FREE | {d: S(2), d_1: S.Half, d_2: S.Half, l: S.One, z: S(4)}
     page.settle(
         "s2c-delays-lump",
-        for_all(symbols, given, add_assum(lumped(claim), *given)),
+        lumped(claim),
         example=shown_at(claim, point),
         note="the delays of device and sensor may be fractional; those of the computation are "
         "integers",
@@ -88,7 +87,7 @@ def derive(page):
 
 def _rational(page):
     """The substitution makes whole exponents, and approximates."""
-    polynomial, some = CLAIMED["s2c-rational-delay"](()).of
+    polynomial, some = page.claim("s2c-rational-delay").of
     symbols, given, has = taken_apart(polynomial)
     found = degree(has.of[0], has.over[0], has.of[1])
     known = [assume(part) for part in given]
@@ -113,11 +112,10 @@ def _rational(page):
 
 def _not_negative(page):
     """A delay that is zero is allowed."""
-    symbols, given, _ = taken_apart(CLAIMED["s2c-positive-delay"](()))
-    period = positive(Ne(T, 0), T > 0)
+    given, period = [t_d >= 0, T > 0], positive(Ne(T, 0), T > 0)
     page.settle(
         "s2c-positive-delay",
-        for_all(symbols, given, closed(over(t_d / T >= 0, t_d >= 0, T > 0), period)),
-        example=example({t_d: S.Zero, T: S.One}, given),
+        for_all((t_d, T), given, closed(over(t_d / T >= 0, *given), period)),
+        example={t_d: S.Zero, T: S.One},
         note="zero is allowed, as in Fig. 7",
     )

@@ -11,9 +11,7 @@ from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.largest_damping import divisors
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import passivity
-from symhaptic.notation import b, function, p_k, v
-from symhaptic.paper import STATEMENTS
+from symhaptic.notation import function
 from symhaptic.paper.propositions.passivity import ANSWER, TAPS
 from symhaptic.proof.theorems.energy import toeplitz
 
@@ -88,10 +86,9 @@ def derive(page):
 
 def _settle(page, condition):
     """(4) guarantees passivity where the wall does not pull."""
-    printed = STATEMENTS["eq4"].printed
-    claim = CLAIMED["eq4"](printed)
-    symbols, given, _ = taken_apart(claim)
-    theorem = for_all(symbols, [*given, PUSHES], add_assum(no_motion_gains(given[-1]), *given))
+    claim = page.claim("eq4")
+    given = taken_apart(claim)[1]
+    theorem = as_claimed(claim, no_motion_gains(given[-1]), PUSHES)
     page.say(
         "A wall that is computed from three positions, the last of them $d$ periods old, has "
         "$H=(h_0+h_1/z+h_2/z^2)z^{-d}$; that of (1) has $h_0=K+B/T$, $h_1=-B/T$ and $h_2=0$, and "
@@ -117,12 +114,8 @@ def _settle(page, condition):
         "eq4",
         theorem,
         condition,
-        example=example(soft, [*given, PUSHES], holds(given[-1], soft, [S.Half])),
-        unless=[
-            counterexample(
-                claim, pulled, holds(given[-1], pulled, *pulls), gives_energy(), but=PUSHES
-            )
-        ],
+        example=(soft, holds(given[-1], soft, [S.Half])),
+        unless={PUSHES: (pulled, holds(given[-1], pulled, *pulls), gives_energy())},
         note="for walls with three coefficients, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$ with an integer "
         "$d$, as (1) is; other $H$ are not decided. At equality no motion gains energy "
         "either, so that (4) is sufficient, and necessary except for equality",

@@ -20,9 +20,7 @@ from symhaptic.book.lemmas.undelayed import (
     undelayed_form,
     weakly_needed,
 )
-from symhaptic.model import passivity
 from symhaptic.paper.propositions.passivity import SIX, UNDELAYED
-from symhaptic.proof.theorems.definitions import gains
 
 
 def derive(page):
@@ -39,8 +37,7 @@ def derive(page):
         name=r"\tfrac{KT}{2}+B-\text{need}",
         because="tends to 0 for $\\theta\\to\\pi$ and is positive before",
     )
-    claim = CLAIMED["s3a-undelayed"]((UNDELAYED,))
-    symbols, loop, (form, same) = _parts(claim)
+    form, same = taken_apart(page.claim("s3a-undelayed"))[2].of
     frequencies = same.of[0]
     sufficient = page.lemma("(6) implies (5) at every frequency", enough(frequencies))
     needed = page.lemma(
@@ -57,7 +54,6 @@ def derive(page):
     agree = off_the_border(frequencies, sufficient, needed)
     border = {K: S.One, B: S.One, b: Rational(3, 2), T: S.One}
     easy = {K: S.One, B: S.Zero, b: S.One, T: S.One}
-    given = [*loop, OFF_BORDER]
     sides = none_of(
         OFF_BORDER.at(border), number(Relation(S.One, "!=", S.Zero)), identity(border[b], border[b])
     )
@@ -73,15 +69,14 @@ def derive(page):
     whole = conj(undelayed_form(form), agree)
     page.settle(
         "s3a-undelayed",
-        for_all(symbols, given, add_assum(whole, *loop)),
+        whole,
         UNDELAYED,
-        example=example(easy, given, off),
-        unless=[counterexample(claim, border, sides, broken(And((form, same))), but=OFF_BORDER)],
+        example=(easy, off),
+        unless={OFF_BORDER: (border, sides, broken(And((form, same))))},
         shows=r"(5) holds at every frequency, (6) says $\tfrac32>\tfrac32$",
         note="the form for $d=0$ is right for all values; (6) needs the condition",
     )
-    six = CLAIMED["eq6"]((SIX,))
-    symbols, loop, both = taken_apart(six)
+    both = taken_apart(page.claim("eq6"))[2]
     page.lemma(r"A wall with $K\ge0$ that meets (6) is passive", passive())
     deciding = page.lemma(
         "Without delay every passive wall meets (6), except for equality",
@@ -90,7 +85,6 @@ def derive(page):
         r"$\pi$",
     )
     off = closed(agree, either(OFF_BORDER, assume(APART)))
-    given = [*loop, K >= 0, APART]
     pulled = {K: -S.One, B: S.Zero, b: S.One, T: S.One}
     meets = number(Relation(-HALF, "<", S.One))
     pulls = gains([*pulled.values(), S.Zero], 4 * [(1, 1)])
@@ -98,13 +92,10 @@ def derive(page):
     runs = not_intro(mp(conjunct(assume(there), there.of[1]), meets), pulls, there)
     page.settle(
         "eq6",
-        for_all(symbols, given, add_assum(conj(off, deciding), *loop)),
+        conj(off, deciding),
         SIX,
-        example=example(easy, given),
-        unless=[
-            counterexample(six, pulled, runs, holds=[APART], but=K >= 0),
-            counterexample(six, border, broken(both), holds=[K >= 0], but=APART),
-        ],
+        example=easy,
+        unless={K >= 0: (pulled, runs), APART: (border, broken(both))},
         shows="a spring with $K=-1$ meets (6), but four unit steps gain 2",
         note=r"with $\ge$ it describes the passive walls with $K\ge0$, including those with "
         "equality",
@@ -114,18 +105,11 @@ def derive(page):
 
 def upper_part(page):
     """(6) for walls that damp."""
-    symbols, given, _ = taken_apart(CLAIMED["s3c-upper-part"](()))
     found = page.lemma("For $B\\ge0$ the summary (6) is $b>\\frac{KT}2+B$", damped_side())
     page.settle(
         "s3c-upper-part",
-        for_all(symbols, given, add_assum(found, *given)),
-        example=example({K: S.One, B: S.One, b: S(2), T: S.One}, given),
+        found,
+        example={K: S.One, B: S.One, b: S(2), T: S.One},
         note="the condition that (5) becomes at the frequency of the largest damping "
         "(\\texttt{s3c-bmax-frequency}); the lower part, for $B<0$, is $b>\\frac{KT}2-B$",
     )
-
-
-def _parts(claim):
-    """A claim with the parts of its conclusion."""
-    symbols, given, then = taken_apart(claim)
-    return symbols, given, then.of

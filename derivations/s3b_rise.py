@@ -11,16 +11,16 @@ from symhaptic.book.lemmas.envelope import LOWER, UPPER, rises
 from symhaptic.book.lemmas.motions import STEPS, half_late, not_on_boundary
 from symhaptic.book.lemmas.passive_boundary import on_boundary
 from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.lemmas.region import at_every_angle
 from symhaptic.book.lemmas.tip import tip
 from symhaptic.book.lemmas.touching import touches
 from symhaptic.book.lemmas.upper_boundary import met, needed_there, upper_boundary
-from symhaptic.model import passivity
 from symhaptic.notation.latex import latex
-from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions.passivity import BORDER
 
 
 def derive(page):
+    _extent(page)
     page.lemma("The sine of the larger angle is flatter", flatter())
     page.lemma("The sine of twice the larger angle is flatter", width())
     page.lemma(r"$\sin N\psi>N\sin\psi\cos((N-1)\psi)$, by concavity of the sine", chord_before())
@@ -84,8 +84,7 @@ def derive(page):
 def _boundary(page):
     """The walls of (7), and above the corner no others, with integer delays and up to pi/(d+1)."""
     printed = STATEMENTS["eq7"].printed
-    claim = CLAIMED["eq7"](printed)
-    symbols, given, then = taken_apart(claim)
+    then = taken_apart(page.claim("eq7"))[2]
     curve, others = then.of
     on_it = page.lemma(
         "A wall of (7) is passive, and requires exactly the damping $b$",
@@ -118,21 +117,19 @@ def _boundary(page):
         disch(closed(above, conjunct(assume(others.of[0]), BORDER)), others.of[0]),
     )
     end = omega <= pi / (T * (d + 1))
-    more = [*given, whole(d), end]
     half = _wall(printed, {d: S.Half, T: S.One, b: S.One, omega: pi / 3})
     high = _wall(printed, {d: S.One, T: S.One, b: S.One, omega: 2 * pi / 3})
-    unless = (half, half_late(Rational(17, 10)), end, whole(d)), (high, STEPS, whole(d), end)
     stiffness, damping = (e.subs(theta, omega * T) for e in passivity.envelope())
     page.settle(
         "eq7",
-        for_all(symbols, more, add_assum(found, *more)),
+        found,
         Eq(K, stiffness),
         Eq(B, damping),
-        example=example(_wall(printed, UNDELAYED | {omega: pi / 2}), more),
-        unless=[
-            counterexample(claim, at, not_on_boundary(then, at, motion), holds=[holds], but=but)
-            for at, motion, holds, but in unless
-        ],
+        example=_wall(printed, UNDELAYED | {omega: pi / 2}),
+        unless={
+            whole(d): (half, not_on_boundary(then, half, half_late(Rational(17, 10)))),
+            end: (high, not_on_boundary(then, high, STEPS)),
+        },
         shows=r"for $d=1$, $\omega T=\tfrac23\pi$ (7) gives $K=-4$, $B=2$: it has a negative "
         "stiffness",
         note="without delay (7) is the single point $(2b/T,0)$, and the rest of the boundary is "
@@ -146,3 +143,56 @@ UNDELAYED = {d: S.Zero, T: S.One, b: S.One}
 def _wall(printed, at):
     """The wall that (7) gives at a frequency."""
     return at | {line.lhs: line.rhs.subs(at) for line in printed}
+
+
+def _extent(page):
+    page.say(
+        "The envelope is drawn by frequencies up to Nyquist, but only some of the lines bound "
+        "the region. We show, for every real $d\\ge0$ and $K\\ge0$, that the conditions at "
+        "frequencies above $\\pi/(T(d+1))$ are redundant."
+    )
+    page.say(
+        r"Let $\psi=\theta/2$, $N=2(d+1)\ge2$ and write the wall with $u=KT/(2b)\ge0$ and "
+        "$w=(B+KT/2)/b$. The condition is then linear in $u$ and $w$:"
+    )
+    wall = {K: 2 * b * u / T, B: b * (w - u), d: N / 2 - 1, theta: 2 * psi}
+    margin = page.step(
+        "The margin over $b$ is linear in $u$ and $w$",
+        passivity.margin().subs(wall) / b,
+        1 - u * cot(psi) * sin(N * psi) + w * cos(N * psi),
+        name=r"1-b_{\min}/b",
+    )
+    page.step(
+        r"At $N\psi=\pi$ the condition depends on $w$ only",
+        margin.subs(psi, pi / N),
+        1 - w,
+        name=r"1-b_{\min}/b",
+        because="so $w\\le1$",
+    )
+    page.limit(
+        "At the lower end the margin is a line",
+        margin,
+        psi,
+        S.Zero,
+        1 + w - N * u,
+        name=r"\bigl(1-b_{\min}/b\bigr)",
+        because="so $w\\ge Nu-1\\ge-1$",
+    )
+    page.step(
+        r"Angles with $N\psi$ differing by $2\pi$ differ only in a cotangent",
+        cot(psi) - cot(phi),
+        sin(phi - psi) / (sin(psi) * sin(phi)),
+        because="positive for $\\psi<\\varphi<\\pi/2$: the cotangent falls",
+    )
+    page.say(
+        r"Beyond $N\psi=\pi$: where $\sin N\psi\ge0$, the angle with $N\psi$ smaller by $2\pi$ "
+        r"has the same sine and cosine but a larger cotangent, and is stricter since $u\ge0$. "
+        r"Where $\sin N\psi<0$, the margin is at least $1-|w|\ge0$ by the two limits above. So "
+        r"only $0<N\psi\le\pi$ matters, that is $0<\omega T\le\pi/(d+1)$."
+    )
+    page.lemma(
+        r"A margin for $0<N\psi\le\pi$ implies a margin at every angle",
+        at_every_angle(),
+        because=r"multiples of $2\pi$ are subtracted from $N\psi$",
+        boxed=True,
+    )

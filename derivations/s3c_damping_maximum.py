@@ -6,8 +6,6 @@ them, and whether the boundary ends at $K=0$.
 
 from symhaptic.book.lemmas.largest_damping import between, divisors, limit_points, upper_frequency
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import passivity
-from symhaptic.paper import STATEMENTS
 
 
 def derive(page):
@@ -71,13 +69,10 @@ def derive(page):
 
 def _ends(page, *derived):
     """The damping of walls that meet (5) and do not pull ends at that of the device."""
-    printed = STATEMENTS["s3c-limit-points"].printed
-    claim = CLAIMED["s3c-limit-points"](printed)
-    symbols, given, then = taken_apart(claim)
+    _, given, then = taken_apart(page.claim("s3c-limit-points"))
     above, below = between(given[-1])
     page.lemma("No wall that meets (5) has more damping than $b$", above)
     page.lemma("No wall that meets (5) has less damping than $-b$", below)
-    more = [*given, K >= 0]
     beyond = {K: -S.One, T: S.One, b: S.One, B: Rational(5, 4), d: S.Zero, x: S.Zero, y: S.One}
     soft = beyond | {K: S.Zero, B: S.Half}
     quarter = Rational(1, 4)
@@ -93,14 +88,10 @@ def _ends(page, *derived):
     held = conjunct(mp(conjunct(assume(there), upper), point), order)
     page.settle(
         "s3c-limit-points",
-        for_all(symbols, more, add_assum(limit_points(then, given[-1]), *more)),
+        limit_points(then, given[-1]),
         *derived,
-        example=example(soft, more, met[1]),
-        unless=[
-            counterexample(
-                claim, beyond, *(met[0], not_intro(held, number(negated(order)), there)), but=K >= 0
-            )
-        ],
+        example=(soft, met[1]),
+        unless={K >= 0: (beyond, *(met[0], not_intro(held, number(negated(order)), there)))},
         shows=r"$d=0$, $K=-1$, $B=\tfrac54b$ satisfies (5) at every frequency",
         note="by (5), for every real $d$; with integer delays these are the passive walls",
     )
@@ -115,18 +106,16 @@ def _met(frequencies, *products):
 def _frequency(page, *derived):
     """At this frequency (5) is the linear condition, if there is a delay."""
     printed = STATEMENTS["s3c-bmax-frequency"].printed
-    claim = CLAIMED["s3c-bmax-frequency"](printed)
-    symbols, given, then = taken_apart(claim)
-    more = [*given, d > 0]
+    then = taken_apart(page.claim("s3c-bmax-frequency"))[2]
     none = {d: S.Zero, T: S.One, omega: pi, b: S(2), K: S.One, B: S.One}
     there = then.at(none)
     last = there.of[1]
     outside = not_intro(conjunct(assume(there), last), number(negated(last)), there)
     page.settle(
         "s3c-bmax-frequency",
-        for_all(symbols, more, add_assum(upper_frequency(printed[0], then), *more)),
+        upper_frequency(printed[0], then),
         *derived,
-        example=example(none | {d: S.One, omega: pi / 2}, more),
-        unless=[counterexample(claim, none, outside, but=d > 0)],
+        example=none | {d: S.One, omega: pi / 2},
+        unless={d > 0: (none, outside)},
         shows=r"for $d=0$ the frequency is $\omega_N$, outside $0<\omega<\omega_N$",
     )

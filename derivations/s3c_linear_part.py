@@ -9,10 +9,7 @@ from symhaptic.book.lemmas.linear_part import ends_at_corner, met_at_every_frequ
 from symhaptic.book.lemmas.lower_boundary import lower_boundary, on_the_line
 from symhaptic.book.lemmas.motions import HALF_LATE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import passivity
-from symhaptic.paper import STATEMENTS
 from symhaptic.proof.theorems.analysis import no_other_limit
-from symhaptic.proof.theorems.definitions import gains
 
 
 def derive(page):
@@ -63,8 +60,7 @@ def derive(page):
 
 def _line(page, *derived):
     """Each wall of (8) is on the boundary, with integer delays, and below its end no other wall."""
-    claim = CLAIMED["eq8"](STATEMENTS["eq8"].printed)
-    symbols, given, then = taken_apart(claim)
+    then = taken_apart(page.claim("eq8"))[2]
     page.lemma(
         "A wall of (8) is passive, and requires exactly the damping $b$",
         on_line(*map(assume, then.of[1].body.of[2:])),
@@ -83,14 +79,13 @@ def _line(page, *derived):
         lower_boundary(then),
         boxed=True,
     )
-    more = [*given, whole(d)]
     late = {K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Half}
     page.settle(
         "eq8",
-        for_all(symbols, more, add_assum(found, *given)),
+        found,
         *derived,
-        example=example(late | {d: S.Zero, B: -S.Half}, more),
-        unless=[counterexample(claim, late, _gains(then.at(late), Rational(8, 9)), but=whole(d))],
+        example=late | {d: S.Zero, B: -S.Half},
+        unless={whole(d): (late, _gains(then.at(late), Rational(8, 9)))},
         shows="with a delay of half a period, the wall $K=b/T$, $B=0$ on this line delivers energy",
         note="bounds the walls that satisfy (5) for every real $d$",
     )
@@ -106,21 +101,21 @@ def _gains(claim, share):
 
 def _lower_part(page):
     """The line is the limit of (5), and the envelope tends to one of its points."""
-    claim = CLAIMED["s3c-lower-part"](())
-    symbols, given, (straight, *limits) = (*taken_apart(claim)[:2], taken_apart(claim)[2].of)
+    then = taken_apart(page.claim("s3c-lower-part"))[2]
+    straight, *limits = then.of
     top = Eq(y, 1)
     line = met_at_every_frequency(straight)
     found = conj(line, *(ends_at_corner(limit, assume(top)) for limit in limits))
     bottom = {b: S.One, T: S.One, d: S.One, y: S.Zero}
-    denied, there = limits[0].at(bottom), taken_apart(claim)[2].at(bottom)
+    denied, there = limits[0].at(bottom), then.at(bottom)
     end = tends(denied.of[0], omega, S.Zero, Rational(4, 5))
     other = no_other_limit(end, number(Ne(Rational(4, 5), denied.of[2], evaluate=False)))
     denied = not_intro(conjunct(assume(there), denied), other, there)
     page.settle(
         "s3c-lower-part",
-        for_all(symbols, [*given, top], add_assum(found, *given, top)),
-        example=example(bottom | {y: S.One}, [*given, top]),
-        unless=[counterexample(claim, bottom, denied, but=top)],
+        found,
+        example=bottom | {y: S.One},
+        unless={top: (bottom, denied)},
         shows=r"(7) tends to $K=\tfrac45b/T$, not to the point $(0,-b)$ of (8)",
         note="that the lower part is linear holds for every real $d\\ge0$",
     )

@@ -8,8 +8,6 @@ from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.motions import half_late, not_passive
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import TURN, bound, largest_of, stiffest_wall, waves
-from symhaptic.model import passivity
-from symhaptic.paper import STATEMENTS
 
 
 def derive(page):
@@ -77,7 +75,7 @@ def derive(page):
         name=r"K_{\max}(2)/K_{\max}(0)",
     )
     for id, delay, value in (("s3c-kmax-41", 1, one), ("s3c-kmax-27", 2, two)):
-        claim = CLAIMED[id](())
+        claim = page.claim(id)
         found = ratio(claim, PRINTED, delay)
         page.settle(id, found, example=case(claim, PRINTED, delay), enclosed=True, value=value)
 
@@ -88,13 +86,13 @@ PRINTED = STATEMENTS["eq11"].printed
 def _frequency(page, derived):
     """There the damping does nothing, at no lower one, and (11) just meets (5)."""
     [printed] = STATEMENTS["s3c-kmax-frequency"].printed
-    symbols, given, then = taken_apart(CLAIMED["s3c-kmax-frequency"]((printed,)))
+    then = taken_apart(CLAIMED["s3c-kmax-frequency"]((printed,)))[2]
     found = first_without_damping(printed, then)
     page.settle(
         "s3c-kmax-frequency",
-        for_all(symbols, given, add_assum(found, *given)),
+        found,
         derived,
-        example=example({T: S.One, d: S.Zero, omega: pi / 2}, given),
+        example={T: S.One, d: S.Zero, omega: pi / 2},
         note="for $d=0$ every frequency gives this point, which is then a corner; the slash has "
         "to be read as dividing by the whole product",
     )
@@ -111,29 +109,24 @@ def _stiffest(page, *derived):
         "$b\\ge\\frac12KT\\cot\\frac\\theta2$",
     )
     claim = CLAIMED["eq11"](PRINTED)
-    symbols, given, then = taken_apart(claim)
+    _, given, then = taken_apart(claim)
     found = page.lemma(
         "The wall of (11) is passive and has the maximum stiffness",
         stiffest_wall(*map(assume, given[-2:])),
         because=r"by \chapter{s3b_rise} the stiffness of the envelope is smaller on either side of "
         r"this angle. So the margin of this wall, divided by $\cos(d+1)\theta$, changes from "
         "plus to minus there, and the margin itself is not negative. For larger angles this "
-        r"is \chapter{s3b_extent}. With the step before no passive wall is stiffer",
+        "chapter shows it, too. With the step before no passive wall is stiffer",
         boxed=True,
     )
-    more = [*given, whole(d)]
     at_half = {d: S.Half, T: S.One, b: S.One}
     wall = at_half | {line.lhs: line.rhs.subs(at_half) for line in PRINTED}
     page.settle(
         "eq11",
-        for_all(symbols, more, add_assum(found, *given)),
+        found,
         *derived,
-        example=example({d: S.Zero, T: S.One, b: S.One, K: S(2), B: S.Zero}, more),
-        unless=[
-            counterexample(
-                claim, wall, not_passive(then, wall, half_late(Rational(17, 10))), but=whole(d)
-            )
-        ],
+        example={d: S.Zero, T: S.One, b: S.One, K: S(2), B: S.Zero},
+        unless={whole(d): (wall, not_passive(then, wall, half_late(Rational(17, 10))))},
         shows="with a delay of half a period, this wall delivers energy in 60 periods",
         note="the largest stiffness that satisfies (5), for every real $d$",
     )
@@ -154,7 +147,7 @@ def both_sides(stiffness: Expr, delay: int, printed: Any, known: Any) -> tuple[T
 
 def ratio(claim: Proposition, printed: Any, delay: int) -> Theorem:
     """The bounds on y/x that a claim names."""
-    symbols, given, then = taken_apart(claim)
+    _, given, then = taken_apart(claim)
     first = both_sides(x, 0, printed, given[2:4])
     other = both_sides(y, delay, printed, given[4:])
     period = over(1 / T > 0, one(), T > 0)
@@ -171,7 +164,7 @@ def ratio(claim: Proposition, printed: Any, delay: int) -> Theorem:
     apart = not_zero(size), not_zero(assume(T > 0))
     found = closed(conj(*bounds) if len(bounds) > 1 else bounds[0], *apart, *apart)
     found = closed(found, positive(b >= 0, b > 0))
-    return for_all(symbols, given, add_assum(found, *given))
+    return as_claimed(claim, found)
 
 
 def _per_damping(stiffness: Expr) -> Expr:
@@ -181,7 +174,7 @@ def _per_damping(stiffness: Expr) -> Expr:
 
 def case(claim: Proposition, printed: Any, delay: int) -> Case:
     """The walls of (11) for b = T = 1, at which all that the claim supposes is true."""
-    _, given, _ = taken_apart(claim)
+    given = taken_apart(claim)[1]
     unit: dict[Symbol, Expr] = {b: S.One, T: S.One}
     walls = [largest_of(printed, late) for late in (0, delay)]
     point = unit | {s: wall[2].xreplace(unit) for s, wall in zip((x, y), walls, strict=True)}

@@ -10,10 +10,8 @@ from sympy import Matrix, zeros
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import device_claim, late_answer
 from symhaptic.book.lemmas.sampled_points import FREE, SWINGING, fails, shown_at
-from symhaptic.model.plant import Plant, sampled
+from symhaptic.model.plant import sampled
 from symhaptic.notation import T_s, function
-from symhaptic.paper import STATEMENTS
-from symhaptic.paper.reading import read
 
 CORRECTED = (
     r"\frac{((c_2 + c_3 - 2)z + (c_2 + c_3 - 2e^{-bT/m}))(b^2 - 4km) \br "
@@ -90,7 +88,7 @@ def derive(page):
         "form is $0/0$ for $k=0$ and at critical damping, where the motion itself is regular."
     )
     swing = FREE | {m: S(2), b: S(4), k: Rational(3, 2)}
-    claim = CLAIMED["eq12"](STATEMENTS["eq12"].printed)
+    claim = page.claim("eq12")
     corrected = CLAIMED["eq12"](read(WHOLE))
     apart = [Ne(c_1, 0), Ne(k, 0)]
     page.settle(
@@ -123,11 +121,10 @@ def _delay(page):
         because="for every device, whatever its spring and damper",
     )
     claim, corrected = (CLAIMED["s4a-delay-equivalent"](read(p)) for p in DELAYS)
-    symbols, given, _ = taken_apart(corrected)
     free = FREE | {d: S.One, T_s: S(2)}
     page.settle(
         "s4a-delay-equivalent",
-        for_all(symbols, [*given, whole(d)], add_assum(late_answer(), *given)),
+        as_claimed(corrected, late_answer(), whole(d)),
         Eq(exp(-d * T * s), exp(T * s) ** (-d), evaluate=False),
         corrected=(DELAYS[1],),
         example=shown_at(corrected, free, whole(d)),

@@ -9,9 +9,8 @@ from sympy import integrate
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import PROMPT, late_answer
 from symhaptic.book.lemmas.sampled_points import FREE, fails, shown_at
-from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.plant import normalised
-from symhaptic.notation import X_d, c
+from symhaptic.notation import X_d
 from symhaptic.paper.propositions.device import WALL
 from symhaptic.proof.theorems.samples import turns
 
@@ -56,15 +55,15 @@ def derive(page):
 
 def _settle(page):
     """The loop with an integer delay is that with z^-d: both answers are the same."""
-    claim = CLAIMED["s4a-exact-instants"](())
-    symbols, given, then = taken_apart(claim)
+    claim = page.claim("s4a-exact-instants")
+    then = taken_apart(claim)[2]
     gains = (1 + X_d * WALL) * (1 + z**-d * X * WALL)
     equal = combined(then, [late_answer(), -X * WALL / gains])
     found = closed(equal, turns(assume(PROMPT)), positive(Ne(T, 0), T > 0))
     point = FREE | {d: S.One}
     page.settle(
         "s4a-exact-instants",
-        for_all(symbols, [*given, whole(d)], add_assum(found, *given)),
+        as_claimed(claim, found, whole(d)),
         example=shown_at(claim, point, whole(d)),
         unless=[fails(claim, FREE | {d: S.Half, z: 4}, but=whole(d))],
         shows="with a delay of half a period, the response of a free mass at $z=4$ differs from "

@@ -7,10 +7,9 @@ powers of $z$.
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled_points import answered, completed
 from symhaptic.book.lemmas.units import same_loop
-from symhaptic.model import loop, plant, wall
-from symhaptic.model.parts import FULL
-from symhaptic.model.plant import Plant, sampled
-from symhaptic.notation import X_d, b, c_2, c_3
+from symhaptic.model import loop, wall
+from symhaptic.model.plant import sampled
+from symhaptic.notation import X_d
 from symhaptic.paper.propositions.device import SECOND
 from symhaptic.proof.theorems.roots import degree, not_of_degree
 
@@ -51,8 +50,6 @@ def derive(page):
 
 def _five(page):
     """Two loops with the same numbers answer alike, in their own units."""
-    claim = CLAIMED["s4b-five-parameters"](())
-    symbols, given, _ = taken_apart(claim)
     found = page.lemma(
         "Two loops with the same five numbers have the same product of device, delay and wall",
         same_loop(SECOND),
@@ -66,39 +63,34 @@ def _five(page):
     values = {v: S(value) for v, value in (light | other | numbers).items()} | {X: one, X_d: two}
     page.settle(
         "s4b-five-parameters",
-        for_all(symbols, given, add_assum(found, *given)),
-        example=example(values, given, first, second),
+        found,
+        example=(values, first, second),
     )
 
 
 def _degree(page):
-    claim = CLAIMED["s4d-degree"](())
-    symbols, given, found = taken_apart(claim)
+    claim = page.claim("s4d-degree")
+    found = taken_apart(claim)[2]
     split, spring, steps = Ne(c_1, 0), Ne(gamma, 0), whole(d)
     lead = positive(Ne(-2 * c_1 * gamma, 0), [2, split, spring])
     highest = degree(found.of[0], z, d + 3)
     more = [is_whole(d + n, assume(steps)) for n in (1, 2, 3)]
-    theorem = closed(highest, lead, *more)
-    conditions = [split, spring, steps]
 
-    def fails_at(point, but):
+    def fails_at(point):
         values, _ = completed(claim, {alpha: 1, beta: 0, d: 0} | point)
         there = found.at(values)
-        holds = [c for c in conditions if c is not but]
-        return counterexample(
-            claim, values, not_of_degree(there.of[0], z, there.of[1]), holds=holds, but=but
-        )
+        return values, not_of_degree(there.of[0], z, there.of[1])
 
     swing = {gamma: pi**2, delta: 0}
     values, _ = completed(claim, {alpha: 1, beta: 0, d: 0} | swing)
     page.settle(
         "s4d-degree",
-        for_all(symbols, [*given, *conditions], add_assum(theorem, *given)),
-        example=example(values, [*given, *conditions]),
-        unless=[
-            fails_at({gamma: 0, delta: 1}, spring),
-            fails_at({gamma: 1, delta: 2}, split),
-            fails_at(swing | {d: S.Half}, steps),
-        ],
+        as_claimed(claim, closed(highest, lead, *more), split, spring, steps),
+        example=values,
+        unless={
+            spring: fails_at({gamma: 0, delta: 1}),
+            split: fails_at({gamma: 1, delta: 2}),
+            steps: fails_at(swing | {d: S.Half}),
+        },
         shows="the leading coefficient vanishes for a device without an arm",
     )

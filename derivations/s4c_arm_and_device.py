@@ -7,10 +7,7 @@ device.
 
 from symhaptic.book.lemmas.arm import PLAIN, WHOLE, bounds, limits, numbers, p, weighted
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model.plant import Plant
-from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions.arm import ARM, GIVEN, y_D, y_H
-from symhaptic.paper.reading import read
 
 
 def derive(page):
@@ -57,28 +54,24 @@ def derive(page):
 
 def _numbers(page, *forms):
     """Table I makes (19) of (2)."""
-    claim = CLAIMED["eq19"](STATEMENTS["eq19"].printed)
-    symbols, given, _ = taken_apart(claim)
-    theorem = for_all(symbols, given, add_assum(numbers(claim), *given))
-    page.settle("eq19", theorem, *forms, example=example(PLAIN | WHOLE, given))
+    theorem = numbers(page.claim("eq19"))
+    page.settle("eq19", theorem, *forms, example=PLAIN | WHOLE)
 
 
 def _bounds(page):
     """(20) with positive masses and dampers: the spring has to be positive, too."""
-    claim = CLAIMED["eq20"](STATEMENTS["eq20"].printed)
-    symbols, given, then = taken_apart(claim)
+    claim = page.claim("eq20")
+    then = taken_apart(claim)[2]
     springy = k_H > 0
-    theorem = for_all(symbols, [*given, springy], add_assum(conj(*bounds(claim)), *given))
+    theorem = conj(*bounds(claim))
     limp = PLAIN | {k_H: S.Zero, gamma: S.Zero}
     there = then.at(limp)
     page.settle(
         "eq20",
         theorem,
         *STATEMENTS["eq20"].printed,
-        example=example(PLAIN, [*given, springy]),
-        unless=[
-            counterexample(claim, limp, not_all(there, fact(negated(there.of[0]))), but=springy)
-        ],
+        example=PLAIN,
+        unless={springy: (limp, not_all(there, fact(negated(there.of[0]))))},
         shows=r"an arm without a spring, $k_H=0$, for which (20) says $0<0$",
         note=r"the published formula assumes positive masses and dampers, and a spring; with $\le$ "
         "it holds for every arm, and (22) admits $k_H=0$",
@@ -108,20 +101,19 @@ def _mean(page):
     page.settle(
         "arm-mean-ratio",
         for_all((*ARM, gamma, delta, *parts), given, add_assum(weighted(claim), *given)),
-        example=example(PLAIN | ones, given),
+        example=PLAIN | ones,
         note="so it is at most the larger of them",
     )
 
 
 def _limits(page):
     """Limits of stiffness and damping per mass for each part are limits for both."""
-    claim = CLAIMED["s4c-independent-limits"](())
-    symbols, given, _ = taken_apart(claim)
     found = page.lemma(
-        "Separate limits for the arm and for the device are sufficient", conj(*limits(claim))
+        "Separate limits for the arm and for the device are sufficient",
+        conj(*limits(page.claim("s4c-independent-limits"))),
     )
     page.settle(
         "s4c-independent-limits",
-        for_all(symbols, given, add_assum(found, *given)),
-        example=example(PLAIN | dict.fromkeys((x, y, y_D, y_H), S.One), given),
+        found,
+        example=PLAIN | dict.fromkeys((x, y, y_D, y_H), S.One),
     )

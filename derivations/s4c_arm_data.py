@@ -49,10 +49,9 @@ def derive(page):
     page.enclosed(
         "The ratios of Kuchenbecker et al. exceed the next ones by the factors", shown, places=6
     )
-    far = CLAIMED["s4c-outlier"](())
     page.settle(
         "s4c-outlier",
-        conj(*map(fact, far.of)),
+        conj(*map(fact, page.claim("s4c-outlier").of)),
         note="at least 3 times each of them; 9.4 and 3.4 times the next",
     )
     page.say("Two springs in series share the force, and their displacements add up:")
@@ -67,8 +66,7 @@ def derive(page):
 
 def series(page):
     """Of two springs one after the other each is stiffer than both."""
-    claim = CLAIMED["s4c-series"](())
-    symbols, given, then = taken_apart(claim)
+    symbols, given, then = taken_apart(page.claim("s4c-series"))
     k = symbols[0]
     found = []
     for wanted, own, other in zip(then.of, (k_1, k_2), (k_2, k_1), strict=True):
@@ -82,8 +80,8 @@ def series(page):
     half = {k: S.Half, k_1: S.One, k_2: S.One}
     page.settle(
         "s4c-series",
-        for_all(symbols, given, add_assum(theorem, *given)),
-        example=example(half, given),
+        theorem,
+        example=half,
         note="how much less stiff an arm is depends on its joints",
     )
 

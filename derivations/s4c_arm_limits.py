@@ -9,7 +9,6 @@ from sympy import Le, Lt, ceiling
 from symhaptic.book.lemmas.arm import in_seconds, within
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation import second
-from symhaptic.paper import STATEMENTS
 from symhaptic.paper.tables import DEVICE_RATIO, EXCLUDED, TABLE_II
 
 RATIOS = {
@@ -44,14 +43,13 @@ def largest(page):
         because="$14.555\\ldots$, rounded up to 14.6",
     )
     up = ceiling(10 * damper) / S(10)
-    claim = CLAIMED["eq21"](STATEMENTS["eq21"].printed)
-    symbols, given, then = taken_apart(claim)
+    symbols, given, then = taken_apart(page.claim("eq21"))
     page.settle(
         "eq21",
         for_all(symbols, given, conj(*map(in_seconds, then.of))),
         k_H / m_H <= spring / second**2,
         b_H / m_H <= up / second,
-        example=example({second: S.One}, given),
+        example={second: S.One},
         note=r"equality for Hogan, $\tfrac{131}9$ rounded up for Tsuji et al.",
     )
     page.say(

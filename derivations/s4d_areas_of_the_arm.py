@@ -13,7 +13,6 @@ from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known
 from symhaptic.paper.propositions.areas import ENDS, moved_by_the_spring
 from symhaptic.proof import box
-from symhaptic.proof.theorems.kernel import conj
 from symhaptic.proof.theorems.leaves import on_box as on_plain_box
 
 
@@ -166,6 +165,5 @@ def spring_adds() -> Theorem:
     claim: Any = moved_by_the_spring()
     found = []
     for part, damper in zip(claim.of, ENDS, strict=True):
-        symbols, given, _ = taken_apart(part)
-        found.append(for_all(symbols, given, add_assum(Both(damper).stable(), *given)))
+        found.append(as_claimed(part, Both(damper).stable()))
     return conj(*found)

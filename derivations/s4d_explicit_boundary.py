@@ -8,7 +8,6 @@ so that one complex equation on the unit circle gives both.
 from symhaptic.book.figures.arguments import crossing
 from symhaptic.book.lemmas.boundary import numerator_on_circle, zero_on_circle_is_explicit
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, plant
 from symhaptic.paper.propositions.stability import explicit, on_boundary
 
 
@@ -91,6 +90,7 @@ def derive(page):
         because="damping over stiffness is the delay, half a period of hold included",
     )
     _settled(page)
+    _undamped(page)
 
 
 def _settled(page):
@@ -110,8 +110,7 @@ def _settled(page):
     )
     arm = (gamma, delta, d)
     given = [gamma >= 0, delta >= 0, d >= 0]
-    walls, inside, _ = taken_apart(explicit())
-    found = add_assum(for_all(walls, inside, add_assum(exact, *inside)), *given)
+    found = add_assum(as_claimed(explicit(), exact), *given)
     page.state(
         "explicit-boundary",
         "for every spring, damper and delay the walls with a zero at $e^{j\\theta}$, "
@@ -123,11 +122,127 @@ def _settled(page):
     page.settle(
         "explicit-boundary",
         for_all(arm, given, found),
-        example=example({gamma: S.One, delta: S.One, d: S.One}, given),
+        example={gamma: S.One, delta: S.One, d: S.One},
         note="for fractional delays this is the principal sheet of the paper's substitution",
     )
     page.settle_external(
         "s4d-explicit-only-undelayed",
         "what was derived in [15] and [12]",
         "an explicit boundary for every spring and delay is our own result (explicit-boundary)",
+    )
+
+
+ANGLE = (d + 1) * theta
+SPRING = Symbol("g")
+
+
+def _undamped(page):
+    page.say(
+        "A mass with a spring and no damper has a boundary that is as short as that of a free "
+        "mass. It shows where the boundary goes for $n_1=n_0$, when no wall has a root at $-1$."
+    )
+    swinging = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
+    arm = plant.Sampled(swinging.n1, swinging.n0, swinging.a, S.One)
+    stiffness, damping = (side.xreplace({gamma: Omega**2}) for side in boundary.wall(arm))
+    page.define("The natural frequency times the period is this angle", gamma, Omega**2)
+    page.define(
+        "One function of the stiffness",
+        SPRING,
+        gamma * (cos(Omega) - cos(theta)) / (1 - cos(Omega)),
+    )
+    first, second = cos(ANGLE) / cos(theta / 2) ** 2, 2 * sin(ANGLE) / sin(theta)
+    page.step(
+        "The boundary of an undamped device has one stiffness at each angle",
+        stiffness,
+        SPRING * first,
+        name=r"\alpha(\theta)",
+        boxed=True,
+        because="for every real $d$ on the principal sheet, and $\\cos\\Omega\\ne1$",
+    )
+    page.step(
+        "The boundary's damping is given by a sine",
+        stiffness + 2 * damping,
+        SPRING * second,
+        name=r"\alpha(\theta)+2\beta(\theta)",
+        boxed=True,
+    )
+    per_gamma = (x - cos(theta)) / (1 - x)
+    begin(page, per_gamma * first, per_gamma * (second - first) / 2)
+    end(page)
+
+
+def begin(page, stiffness, damping):
+    """The end at theta -> 0, in units of gamma, with x = cos Omega."""
+    half = Rational(1, 2)
+    page.say(
+        r"It starts on the line $\beta=\alpha(d+\frac12)$ of (25), with a smaller slope; with "
+        r"$x=\cos\Omega$:"
+    )
+    page.limit(
+        r"The boundary starts at $\alpha=-\gamma$",
+        stiffness,
+        theta,
+        S.Zero,
+        S.NegativeOne,
+        name=r"\alpha(\theta)/\gamma",
+    )
+    page.limit(
+        r"The boundary starts at $\beta=-(d+\frac12)\gamma$",
+        damping,
+        theta,
+        S.Zero,
+        -(d + half),
+        name=r"\beta(\theta)/\gamma",
+    )
+    right = (1 + x) / (4 * (1 - x)) + (d + 1) ** 2 / 2
+    up = (d + half) * right - (d + 1) * (2 * d + 1) * (2 * d + 3) / 12
+    name = r"\frac{\alpha(\theta)+\gamma}{\gamma\theta^2}"
+    page.limit(
+        "From its start the boundary goes to the right in the second order",
+        (stiffness + 1) / theta**2,
+        theta,
+        S.Zero,
+        right,
+        name=name,
+    )
+    page.limits((damping + d + half) / theta**2, theta, S.Zero, up)
+    page.step(
+        "The initial slope of the boundary is smaller than that of the line",
+        up / right,
+        d + half - (d + 1) * (2 * d + 1) * (2 * d + 3) / (12 * right),
+        name=r"\frac{d\beta}{d\alpha}",
+        because=r"smaller for every spring and every delay; only for a free mass, $x\to1$, both "
+        "slopes are equal",
+    )
+
+
+def end(page):
+    """The end at theta -> pi, for integer delays."""
+    page.say(
+        "Towards the other end, for integer $d$, both grow without bound, since for $n_1=n_0$ no "
+        r"wall has a root at $-1$. As $\sin(d+1)\theta=(-1)^d\sin(d+1)(\pi-\theta)$, their sum "
+        "stays close to a line:"
+    )
+    per_gamma = (x - cos(theta)) / (1 - x)
+    page.limit(
+        "Stiffness and twice the damping approach a line",
+        2 * per_gamma * sin((d + 1) * (pi - theta)) / sin(theta),
+        theta,
+        pi,
+        2 * (d + 1) * (1 + x) / (1 - x),
+        name=r"(-1)^d\,\frac{\alpha(\theta)+2\beta(\theta)}{\gamma}",
+    )
+    per_gamma = per_gamma.subs(x, -1)
+    page.step(
+        r"For $x=-1$, $\Omega$ an odd multiple of $\pi$, it stays finite",
+        per_gamma * cos(ANGLE) / cos(theta / 2) ** 2,
+        -cos(ANGLE),
+        name=r"\frac{\alpha}{\gamma}\Big|_{x=-1}",
+    )
+    page.step(
+        "For $x=-1$ the damping stays finite, too",
+        2 * per_gamma * sin(ANGLE) / sin(theta),
+        -sin(ANGLE) / tan(theta / 2),
+        name=r"\frac{\alpha+2\beta}{\gamma}\Big|_{x=-1}",
+        because="so that it ends at $\\alpha=(-1)^d\\gamma$, $\\beta=-\\alpha/2$",
     )

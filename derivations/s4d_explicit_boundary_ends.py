@@ -6,8 +6,6 @@ which it starts, and how it is related there to the line $\beta+\delta=\alpha(d+
 
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, plant
-from symhaptic.model.parts import FULL
 from symhaptic.proof.enclosed import value as enclosed
 from symhaptic.proof.theorems.analysis import grows
 

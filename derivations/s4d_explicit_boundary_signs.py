@@ -50,6 +50,6 @@ def derive(page):
     page.settle(
         "arm-numbers",
         for_all((gamma, delta), arms, add_assum(found, *arms)),
-        example=example({gamma: S.One, delta: S.One}, arms),
+        example={gamma: S.One, delta: S.One},
         note="the start of the boundary is below the line by $\\gamma^2$ times a positive mean",
     )

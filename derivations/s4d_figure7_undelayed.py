@@ -8,7 +8,6 @@ moves the rest of the boundary.
 from symhaptic.book.figures.stability import undelayed
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.springs_alike import line_and_curve, springs_alike
-from symhaptic.model import boundary, plant
 from symhaptic.paper.propositions.plots import CURVE, OTHER
 
 

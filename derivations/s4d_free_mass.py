@@ -7,7 +7,7 @@ $\alpha=0$ enclose exactly the stable walls.
 
 from symhaptic.book.figures.passivity import free_mass
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, loop, plant
+from symhaptic.model import loop
 
 FREE = Parts(stiffness=False, damping=False)
 ANGLE = (d + 1) * theta
@@ -127,13 +127,10 @@ def necessary(page, polynomial):
 
 def concave():
     """0 < -h''(theta) for 0 < theta < pi, 0 < alpha, 0 <= d and 0 <= cos((d+1) theta)."""
-    sine, size = sine_of_half(theta), positive(d + 1 > 0, d >= 0, [1])
-    fourth = positive(sin(theta / 2) ** 4 > 0, [sine] * 4)
-    top = positive(1 + 2 * cos(theta / 2) ** 2 > 0, [1], [2, square(cos(theta / 2))])
-    bent = over(BENT > 0, top, fourth)
-    late = assume(cos(ANGLE) >= 0)
-    found = positive(CURVATURE > 0, [size, size, late], [Rational(1, 8), alpha > 0, bent])
-    return closed(found, positive(Ne(sin(theta / 2), 0), [sine]))
+    here = Given(theta > 0, theta < pi, alpha > 0, d >= 0, cos(ANGLE) >= 0)
+    bent = here.have(sin(theta / 2) > 0, sine_of_half(theta))
+    bent = here.show(BENT > 0, bent, square(cos(theta / 2)))
+    return here.show(CURVATURE > 0, bent)
 
 
 def damping_given():

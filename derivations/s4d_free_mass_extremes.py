@@ -6,8 +6,8 @@ $0<(d+1)\theta\le\pi/2$. On it we look for the largest stiffness and the largest
 
 from sympy import chebyshevt
 
+from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, plant
 from symhaptic.notation import rho
 from symhaptic.proof import roots
 from symhaptic.proof.enclosed import value
@@ -81,37 +81,13 @@ def derive(page):
 
 def signs():
     """0 < d beta/d theta and 0 < -dg/d theta for 0 <= d, 0 < theta and (d+1) theta < pi/2."""
-    turn = ANGLE
-    steps, up, room = assume(d >= 0), assume(theta > 0), assume(turn < pi / 2)
-    quarter, half = fact(Relation(S.Zero, "<", pi / 2)), Rational(1, 2)
-    size = positive(d + 1 > 0, steps, [1])
-    angle, part = positive(turn > 0, [size, up]), positive(d * theta >= 0, [steps, up])
-    side = positive(theta < pi / 2, [room], [part])
-    sine = closed(sign_of(sin, turn), angle, positive(turn < pi, [room], [quarter]))
-    cosine = closed(sign_of(cos, turn), positive(turn > -pi / 2, [angle], [quarter]), room)
-    small = closed(sign_of(sin, theta), positive(theta < pi, [side], [quarter]))
-    wide = closed(sign_of(cos, theta), positive(theta > -pi / 2, up, [quarter]), side)
-    low = positive(theta / 2 > -pi / 2, [half, up], [quarter])
-    high = positive(theta / 2 < pi / 2, [half, side], [half, quarter])
-    below = closed(sign_of(cos, theta / 2), low, high)
-    apart = positive(Ne(cos(theta / 2), 0), [below])
-    above = closed(sine_of_half(theta), positive(theta < pi, [side], [quarter]))
-    t = closed(over(TANGENT > 0, above, below), apart)
-    less = not_negative_sine(part, positive(d * theta < pi, [room], [up], [quarter]))
-    terms = ([sine], [2, size, t, t, sine], [t] * 4 + [sine], [2, steps, t, cosine])
-    rises = closed(positive(RISE > 0, *terms, [t, t, less], [t] * 4 + [less]), apart)
-    terms = ([2, size, sine], [size, wide, sine], [size, size, small, cosine])
-    return rises, positive(FALL > 0, *terms)
-
-
-def not_negative_sine(low, high):
-    """0 <= sin x from 0 <= x and x < pi."""
-    angle = low.conclusion.right
-    inside = positive(sin(angle) >= 0, [closed(sign_of(sin, angle), high)])
-    zero = both_ways(low, assume(angle <= 0))
-    at_zero = fact(Relation(S.Zero, "<=", S.Zero))
-    edge = subst(sin(x) >= 0, x, at_zero, zero)
-    return disj_cases(ordered(S.Zero, angle), inside, edge)
+    here = Given(d >= 0, theta > 0, pi / 2 > ANGLE)
+    half = sin(theta / 2) > 0, cos(theta / 2) > 0
+    for claim in (ANGLE > 0, d * theta >= 0, theta < pi / 2, *half):
+        here.have(claim)
+    here.have(TANGENT > 0, over(TANGENT > 0, *half))
+    here.have(sin(d * theta) >= 0, weak_sine(d * theta))
+    return here.show(RISE > 0), here.show(FALL > 0)
 
 
 def whole_delays(page, stiffness, bend):

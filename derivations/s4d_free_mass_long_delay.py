@@ -6,7 +6,6 @@ rate of convergence, and for bounds.
 """
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, plant
 from symhaptic.notation import chi
 from symhaptic.proof.enclosed import value
 from symhaptic.proof.roots import zero
@@ -128,13 +127,9 @@ def sides(page):
 
 def rises():
     """0 < (2 psi - sin 2 psi)/(2 psi^2 cos^2 psi) for 0 < psi < pi/2."""
-    up, quarter = positive(psi > 0, psi > 0), fact(Relation(S.Zero, "<", pi / 2))
-    before = positive(chi < pi / 2, chi < psi, psi < pi / 2)
-    sine = closed(sign_of(sin, chi), positive(chi < pi, [before], [quarter]))
-    slope = positive(diff(CHORD, psi).subs(psi, chi) > 0, [4, sine, sine])
-    chord = grows(CHORD.subs(psi, chi), chi, S.Zero, psi, slope)
-    cosine = closed(sign_of(cos, psi), positive(psi > -pi / 2, up, [quarter]))
-    under = positive(2 * psi**2 * cos(psi) ** 2 > 0, [2, up, up, cosine, cosine])
-    apart = positive(Ne(psi, 0), up), positive(Ne(cos(psi), 0), [cosine])
-    found = over(CHORD / (2 * psi**2 * cos(psi) ** 2) > 0, positive(CHORD > 0, [chord]), under)
-    return closed(found, *apart)
+    here = Given(psi > 0, psi < pi / 2)
+    here.have(cos(psi) > 0)
+    slope = positive(diff(CHORD, psi).subs(psi, chi) > 0, [4, sin(chi) > 0, sin(chi) > 0])
+    slope = here.and_(chi > 0, chi < psi).closed(slope)
+    chord = here.show(CHORD > 0, grows(CHORD.subs(psi, chi), chi, S.Zero, psi, slope))
+    return here.show(CHORD / (2 * psi**2 * cos(psi) ** 2) > 0, chord)

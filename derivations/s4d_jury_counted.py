@@ -12,9 +12,8 @@ from sympy import Mul, sympify
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities, collected
-from symhaptic.model import jury, plant
+from symhaptic.model import jury
 from symhaptic.model.jury import jury as conditions_on
-from symhaptic.model.plant import Sampled
 from symhaptic.paper.propositions.comparison import STABLE
 
 FREE = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))

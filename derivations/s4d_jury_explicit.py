@@ -8,8 +8,7 @@ formula is sufficient, and we show for which devices.
 from symhaptic.book.lemmas.damped_mass import signs, stable_damped_mass
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import collected, free_by_inequalities
-from symhaptic.model import jury, plant
-from symhaptic.model.parts import FULL
+from symhaptic.model import jury
 
 DAMPED = plant.sampled(plant.normalised(Parts(stiffness=False)))
 NUMBERS = {n_1: DAMPED.n1, n_0: DAMPED.n0, e: DAMPED.e}

@@ -8,8 +8,7 @@ with the explicit boundary.
 from symhaptic.book.figures.passivity import free_mass_inequalities
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import collected, free_by_inequalities
-from symhaptic.model import boundary, jury
-from symhaptic.model.plant import Sampled
+from symhaptic.model import jury
 
 RISE, PLANE = n_1 + n_0, 4 - alpha - 4 * beta
 

@@ -6,8 +6,7 @@ line $\alpha=-\gamma$.
 
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import loop, plant
-from symhaptic.model.parts import FULL
+from symhaptic.model import loop
 
 
 def derive(page):

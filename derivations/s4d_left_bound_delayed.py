@@ -13,7 +13,7 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.book.lemmas.undelayed_curve import WEIGHT, between, plants
-from symhaptic.model import loop, plant
+from symhaptic.model import loop
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import CURVE
 from symhaptic.paper.propositions.stability import OTHER, PIECE, damped_region_ends_on_the_line
@@ -75,13 +75,12 @@ def _settled(page):
         "of it."
     )
     claim = CLAIMED["s4d-left-bound"]([Eq(alpha, -gamma)])
-    symbols, given, _ = taken_apart(claim)
     arms = page.lemma("The left bound of the arms of (23)", bound_of_arms())
     page.settle(
         "s4d-left-bound",
         Eq(alpha, -gamma),
-        for_all(symbols, given, add_assum(arms, *given)),
-        example=example({alpha: S.Zero, gamma: S.Zero, delta: S.Zero}, given),
+        as_claimed(claim, arms),
+        example={alpha: S.Zero, gamma: S.Zero, delta: S.Zero},
         note=r"for $d\ge1$ inside (23) only $\alpha>-\gamma$ is shown, and for $d=1$ and $d=2$ at "
         r"the limits of (23) that the line is reached to within the thickness of a line (fig9); a "
         r"stiff spring beyond (23) can keep the region away from it, such as "
@@ -94,7 +93,6 @@ def _settled(page):
     )
     found = page.lemma("The region of a damped device ends on the line", left_bound(), boxed=True)
     claim = damped_region_ends_on_the_line()
-    symbols, given, _ = taken_apart(claim)
     easy = {alpha: -S.One, gamma: S.One, delta: S.One, d: S.Zero}
     soft = SOFT.at(easy)
     there = disj(conj(*(fact(p) for p in soft.parts[0].parts)), soft)
@@ -106,8 +104,8 @@ def _settled(page):
     )
     page.settle(
         "left-bound-damped",
-        for_all(symbols, given, add_assum(found, *given)),
-        example=example(easy, given, there),
+        found,
+        example=(easy, there),
     )
 
 

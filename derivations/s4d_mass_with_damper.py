@@ -8,7 +8,6 @@ from symhaptic.book.lemmas.damped_mass import signs
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.undelayed_tip import all_softer, none_stiffer
-from symhaptic.model import boundary, plant
 
 E, N_1, N_0 = symbols("e n_1 n_0")
 TOTAL, APART = N_1 + N_0, N_1 - N_0

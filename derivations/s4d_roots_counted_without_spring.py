@@ -50,7 +50,7 @@ def derive(page):
         claim=stronger(),
     )
     point = {alpha: S.One, beta: S.One, n_1: Rational(1, 2), n_0: Rational(1, 2), e: S.One}
-    page.settle("free-wall-stronger", found, example=example(point, GIVEN))
+    page.settle("free-wall-stronger", found, example=point)
     page.say(
         "For such a wall $p_1$ has the argument of $g=NW$ on the whole half circle, so that at "
         "most two of its $d+3$ roots lie inside: the loop is not stable. Any other wall has "

@@ -4,6 +4,7 @@ By Table I, walls scale with the period and the mass if $bT/m$ and $kT^2/m$ stay
 constant damper or spring they do not. One wall for each, inside (23), shows this.
 """
 
+from symhaptic.book.lemmas.near_tip import none_above
 from symhaptic.book.lemmas.passive_is_stable import LOOP
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.scaling import (
@@ -16,9 +17,13 @@ from symhaptic.book.lemmas.scaling import (
     never,
     none_as_damped,
     none_as_stiff,
+    with_the_mass,
+    with_the_rate,
 )
 from symhaptic.book.lemmas.stability import stable_at
+from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.paper.propositions.stability import HEAVY, SOON, STIFFER, STRONGER
+from symhaptic.proof.enclosed import value
 
 DAMPED, SPRUNG = Rational(1, 50), Rational(1, 1000)
 """delta and gamma within (23); at half the period they are 1/100 and 1/4000."""
@@ -35,12 +40,12 @@ HELD = {alpha: -Rational(95, 100000), beta: Rational(200006, 100000)}
 def derive(page):
     stiffness(page)
     bound(page)
+    _changed(page)
 
 
 def stiffness(page):
     """Four times the stiffness at half the period, beside some damping."""
-    claim = CLAIMED["s4d-quadratic-in-period"](())
-    symbols, given, _ = taken_apart(claim)
+    claim = page.claim("s4d-quadratic-in-period")
     kept = page.lemma(
         "With constant $bT/m$ and $kT^2/m$, half the period allows four times the stiffness",
         at_twice_the_rate(),
@@ -50,12 +55,12 @@ def stiffness(page):
     sprung = loop | {k: SPRUNG, K: LIMIT[alpha], STIFFER: 4 * LIMIT[alpha]}
     page.settle(
         "s4d-quadratic-in-period",
-        for_all(symbols, [*given, *NOTHING], add_assum(free_mass(kept, RATE), *given)),
-        example=example(loop | {K: S.One, STIFFER: S(4)}, [*given, *NOTHING]),
-        unless=[
-            one_sided(claim, damped, 0, 0, B, STIFF[beta], never),
-            one_sided(claim, sprung, 1, 1, B, 2 * LIMIT[beta], none_as_stiff),
-        ],
+        free_mass(kept, RATE),
+        example=loop | {K: S.One, STIFFER: S(4)},
+        unless={
+            NOTHING[0]: one_sided(claim, damped, 0, B, STIFF[beta], never),
+            NOTHING[1]: one_sided(claim, sprung, 1, B, 2 * LIMIT[beta], none_as_stiff),
+        },
         shows=r"$d=0$, $k=0$: at $\delta=\tfrac1{50}$ the wall $\alpha=0.713$ can be stable, at "
         r"$\tfrac1{100}$, for the same damper at half the period, it cannot",
         note="also exact if $bT/m$ and $kT^2/m$ are constant; with this damper less than 3.93 "
@@ -65,8 +70,7 @@ def stiffness(page):
 
 def bound(page):
     """Damping in proportion to mass and rate, beside some stiffness."""
-    claim = CLAIMED["s4d-damping-bound"](())
-    symbols, given, _ = taken_apart(claim)
+    claim = page.claim("s4d-damping-bound")
     kept = page.lemma(
         "With constant $bT/m$ and $kT^2/m$, $BT/m$ has the same bound for every period and mass",
         for_another_mass_and_rate(),
@@ -76,12 +80,12 @@ def bound(page):
     sprung = loop | {k: SPRUNG, B: HELD[beta], STRONGER: 2 * HELD[beta]}
     page.settle(
         "s4d-damping-bound",
-        for_all(symbols, [*given, *NOTHING], add_assum(free_mass(kept, KEPT), *given)),
-        example=example(loop | {B: S.One, STRONGER: S(2)}, [*given, *NOTHING]),
-        unless=[
-            one_sided(claim, damped, 0, 0, K, BRAKED[alpha], never),
-            one_sided(claim, sprung, 1, 0, K, HELD[alpha], none_as_damped),
-        ],
+        free_mass(kept, KEPT),
+        example=loop | {B: S.One, STRONGER: S(2)},
+        unless={
+            NOTHING[0]: one_sided(claim, damped, 0, K, BRAKED[alpha], never),
+            NOTHING[1]: one_sided(claim, sprung, 0, K, HELD[alpha], none_as_damped),
+        },
         shows=r"$d=0$, $k=0$: at $\delta=\tfrac1{50}$ the wall $\beta=2.02$ can be stable, at "
         r"$\tfrac1{100}$, for the same damper at half the period, it cannot",
         note="also exact if $bT/m$ and $kT^2/m$ are constant; for small $b$ the bound without "
@@ -89,11 +93,66 @@ def bound(page):
     )
 
 
-def one_sided(claim, values, order, side, free, value, denied):
+def one_sided(claim, values, side, free, value, denied):
     """Of the loop before and after, side 0 and 1, one is stable for a value, the other for none."""
     same = taken_apart(claim)[2].at(values)
     stable, lost = same.parts[side], same.parts[1 - side]
     wall = dict(zip(LOOP, stable.body.at({free: value}).terms, strict=True))
     there = exists(stable_at(wall), stable, {free: value})
-    differ = not_intro(mp(assume(same), there), denied(free, lost.body), same)
-    return counterexample(claim, values, differ, holds=[NOTHING[1 - order]], but=NOTHING[order])
+    return values, not_intro(mp(assume(same), there), denied(free, lost.body), same)
+
+
+ARM = plant.sampled(plant.normalised(Parts(stiffness=False)))
+BEFORE, AFTER = Rational(1, 50), Rational(1, 100)
+"""delta within (23), and with half the period or twice the mass but the same damper."""
+
+
+def _changed(page):
+    page.say(
+        "The paper reads from Table I how the stable walls change with the period $T$ and the "
+        "mass $m$, for a constant delay factor $d$. What happens to the operator's $b$ and $k$ "
+        "meanwhile? If they change as well, the loop stays the same. If they are kept it does "
+        "not, and a damped mass without spring and delay, $\\gamma=0$ and $d=0$, shows by how "
+        "much."
+    )
+    all_scaled(page)
+    bare = {gamma: S.Zero, delta: BEFORE, d: S.Zero}
+    page.say("Now keep $b$. For $\\delta=\\frac1{50}$, the end of the range (23), two walls:")
+    page.lemma(
+        "For $\\gamma=0$, $\\delta=\\frac1{50}$ the wall $\\alpha=0.713$, $\\beta=0.825$ is stable",
+        stable_at({**bare, **STIFF}),
+    )
+    page.lemma(
+        "For $\\gamma=0$, $\\delta=\\frac1{50}$ the wall $\\alpha=0.001$, $\\beta=2.02$ is stable",
+        stable_at({**bare, **BRAKED}),
+    )
+    page.enclosed(
+        "For $\\delta=\\frac1{100}$ the largest damping and stiffness are enclosed",
+        [
+            (r"\alpha_{\max}", value(boundary.largest_undelayed(ARM), {delta: AFTER})),
+            (r"1/n_0\big|_{\delta=0.01}", value(1 / ARM.n0, {delta: AFTER})),
+        ],
+        because="that is the same damper with half the period: no $\\beta$ makes the first wall's "
+        "$\\alpha$, four times its stiffness, stable, and no $\\alpha$ the second wall's $\\beta$, "
+        "twice its damping",
+    )
+    page.lemma(
+        r"For $\gamma=0$, $\delta=\frac1{100}$ all stable walls are less stiff than this",
+        none_above((S.Zero, AFTER), 0)[1],
+        because="so less than 3.93 times the stiffness is left: four times this bound is less than "
+        "$3.93\\cdot0.713$. Twice the mass with the same damper is $\\delta=\\frac1{100}$ too",
+    )
+
+
+def all_scaled(page):
+    """The period or the mass changes, and all else with it: the loop stays stable or not."""
+    page.lemma(
+        "Stability does not change if all parameters are scaled with half the period",
+        numbers_known(inst(with_the_rate(STIFFER, STRONGER), {y: S(2)})),
+        because="for every delay in periods",
+    )
+    heavier = inst(with_the_mass(STIFFER, STRONGER), {HEAVY: 2 * m})
+    page.lemma(
+        "Stability does not change if the mass and all other parameters are doubled",
+        closed(heavier, positive(2 * m > 0, [2, m > 0]), positive(Ne(m, 0), m > 0)),
+    )

@@ -16,9 +16,7 @@ from symhaptic.book.lemmas.linear import (
 )
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import lag
-from symhaptic.model.plant import Plant
-from symhaptic.notation import b, t_e
-from symhaptic.paper import STATEMENTS
+from symhaptic.notation import t_e
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.linear import lagging
 
@@ -47,7 +45,6 @@ def never(page):
         "negative, and the other conditions hold, too",
     )
     claim = lagging()
-    symbols, given, _ = taken_apart(claim)
     page.state(
         "linear-lag",
         "every wall with (24) and $K>-k$ is stable in the loop with the lag",
@@ -55,8 +52,8 @@ def never(page):
     )
     page.settle(
         "linear-lag",
-        for_all(symbols, given, add_assum(safe(), *given)),
-        example=example({**ONES, b: S.One, k: S.Zero, B: S.Zero, K: HALF}, given),
+        safe(),
+        example={**ONES, b: S.One, k: S.Zero, B: S.Zero, K: HALF},
         note="the statement is about the lag and not the sampled loop",
     )
 
@@ -70,16 +67,14 @@ def stiffness(page, whole):
         name=r"K_{\text{Routh}}",
         because="the stiffness $k$ raises it unless $b=0$",
     )
-    claim = CLAIMED["s4e-stiffness-free"](())
-    symbols, given, same = taken_apart(claim)
-    more = [*given, Eq(b, 0)]
+    same = taken_apart(page.claim("s4e-stiffness-free"))[2]
     easy = {**ONES, b: S.Zero, k: S.One, x: S(2), B: S.One, K: HALF}
     sprung = {**ONES, b: S.One, k: S.One, x: S.Zero, B: S.Zero, K: S(5) / 2}
     page.settle(
         "s4e-stiffness-free",
-        for_all(symbols, more, add_assum(spring_is_free(), *more)),
-        example=example(easy, more),
-        unless=[counterexample(claim, sprung, more_with_a_spring(same, sprung), but=Eq(b, 0))],
+        spring_is_free(),
+        example=easy,
+        unless={Eq(b, 0): (sprung, more_with_a_spring(same, sprung))},
         shows=r"$m=b=t_e=k=1$, $B=0$: Routh allows $K<3$, and $K<2$ without the spring",
         note="as Routh's condition for the lag. (24) has no $k$ as it drops the term with $k$; "
         "that the lower limit is $K>-k$ is exact for the lag ($a_0=k+K$) and necessary for the "
@@ -108,19 +103,17 @@ def plane(page, kept, whole):
         "$\\delta(d+\\tfrac12)(1+\\gamma/\\alpha)$: 1\\,\\% for $\\delta=0.02$, $d=0$, and "
         "17\\,\\% for $d=8$, without a spring",
     )
-    claim = CLAIMED["eq25"](STATEMENTS["eq25"].printed)
-    symbols, given, same = taken_apart(claim)
-    more = [*given, Eq(delta, 0)]
+    same = taken_apart(page.claim("eq25"))[2]
     table = normalised(d, alpha, beta, gamma, delta)
     found = closed(of_the_walls_in_units(same.of[0], table), undamped_in_units())
     easy = in_units({**ONES, b: S.Zero, k: S.Zero, B: S.One, K: HALF})
     damped = in_units({**ONES, b: S.One, k: S.Zero, B: S.Zero, K: 3 * HALF})
     page.settle(
         "eq25",
-        for_all(symbols, more, add_assum(found, *more)),
+        found,
         line > 0,
-        example=example(easy, more),
-        unless=[counterexample(claim, damped, forbidden(same, damped), but=Eq(delta, 0))],
+        example=easy,
+        unless={Eq(delta, 0): (damped, forbidden(same, damped))},
         shows=r"$\delta=1$, $d=\tfrac12$, $\beta=\gamma=0$: Routh allows $\alpha<2$, (25) only "
         r"$\alpha<1$",
         note="as Routh's condition for the lag. It is (24) by Table I, and as good as (24)",

@@ -5,9 +5,9 @@ $\beta+\delta=\alpha(d+\frac12)$ of (25). We compare the line with the exact bou
 its slope.
 """
 
+from symhaptic.book.lemmas.linear_tangent import free_mass_only, tangent
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, linear, plant
-from symhaptic.model.parts import FULL
+from symhaptic.model import linear
 
 G, MU = symbols("g mu")
 
@@ -95,6 +95,7 @@ def derive(page):
         "$\\delta\\ge\\frac{0.12(2d+1)}{6(d+1)^2+1}$",
         boxed=True,
     )
+    _tangent(page)
 
 
 def periods(page):
@@ -134,3 +135,28 @@ def periods(page):
         s_1: h**2 * delta + h**4 * gamma / 2 + h**10 * G,
         nu: HALF - h**2 * MU,
     }
+
+
+def _tangent(page):
+    page.say(
+        "We look at the start of the boundary, $\\theta\\to0$, where $\\alpha=-\\gamma$: does "
+        "it lie on the line of (25), and is the line tangent there?"
+    )
+    page.say(
+        "The surplus $\\Delta$ over the line tends to $-g$. Where the gap is zero, "
+        "$\\Delta/\\theta^2$ tends to a number that is negative for every spring and damper."
+    )
+    page.lemma(
+        "The line is tangent to the boundary at its start for a free mass only", free_mass_only()
+    )
+    page.state(
+        "linear-tangent",
+        "for $\\gamma-\\frac14\\delta^2<\\pi^2$ the boundary is tangent to (25), where it starts, "
+        "for $\\gamma=\\delta=0$ only",
+        claim=tangent(),
+    )
+    page.settle(
+        "linear-tangent",
+        free_mass_only(),
+        example={gamma: S.One, delta: S.One, d: S.Zero},
+    )

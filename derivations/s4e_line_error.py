@@ -5,7 +5,7 @@ $\beta$, in units of $\alpha+\gamma$. We write this error down for the whole bou
 """
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, lag, linear, plant
+from symhaptic.model import lag, linear
 from symhaptic.notation import alpha_lin
 
 Y = linear.CHORD

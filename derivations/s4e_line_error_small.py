@@ -24,7 +24,6 @@ from symhaptic.book.lemmas.linear_rays import (
 from symhaptic.book.lemmas.linear_two_percent import at_most
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
-from symhaptic.model.circle import expanded
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import HALF_WAY, RANGE, error, on_boundary_at, size
 
@@ -45,11 +44,10 @@ def derive(page):
     )
     page.lemma("Without delay $0.95\\cdot\\frac12A\\le b$ for $A\\ge\\gamma$", above(0))
     page.lemma("For $d=1$ $0.95\\cdot\\frac32A\\le b$ for $A\\ge\\gamma$", above(1))
-    _, given, _ = taken_apart(CLAIMED["s6-linear-small-error"](()))
     page.settle(
         "s6-linear-small-error",
         small_errors(),
-        example=example(dict.fromkeys((alpha, beta, gamma, delta), S.Zero), given),
+        example=dict.fromkeys((alpha, beta, gamma, delta), S.Zero),
         enclosed=True,
         note="for $d=0$ and $d=1$, and for $\\beta\\le0.1$. Next to $\\alpha=-\\gamma$ the error "
         "is larger (\\texttt{linear-error-corner}). For $d=1$ the range ends before the "
@@ -147,6 +145,5 @@ def small_error(delay: int) -> Theorem:
 @cache
 def small_errors() -> Theorem:
     """The claim: for all arms of (23) and both delays."""
-    symbols, given, _ = taken_apart(CLAIMED["s6-linear-small-error"](()))
     both_ = conj(*map(small_error, LATE))
-    return for_all(symbols, given, add_assum(both_, *given))
+    return as_claimed(CLAIMED["s6-linear-small-error"](()), both_)

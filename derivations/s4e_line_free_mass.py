@@ -5,7 +5,6 @@ which side of it the stable walls lie, for every delay.
 """
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, plant
 from symhaptic.paper.propositions.linear import of_a_free_mass as claimed
 from symhaptic.proof.theorems.definitions import loop_substituted
 
@@ -54,7 +53,7 @@ def derive(page):
     page.settle(
         "linear-free-mass",
         of_a_free_mass(),
-        example=example({alpha: S.One, beta: S.One, d: S.Zero}, [whole(d)]),
+        example={alpha: S.One, beta: S.One, d: S.Zero},
         note="by necessary conditions near $z=1$, for every integer $d$ at once",
     )
 

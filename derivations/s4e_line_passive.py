@@ -10,11 +10,10 @@ from symhaptic.book.lemmas.linear_part import passive_below
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS, TO_AND_FRO
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import DELAY
-from symhaptic.model import lag, linear, passivity
-from symhaptic.notation import b, t_e
+from symhaptic.model import lag, linear
+from symhaptic.notation import t_e
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.linear import on_or_below_the_line
-from symhaptic.proof.theorems.definitions import gains
 
 
 def derive(page):
@@ -36,12 +35,11 @@ def derive(page):
         low,
         because="the same: both depend on the effective delay $t_e$ only",
     )
-    claim = CLAIMED["s4e-same-as-passive"](())
-    symbols, given, both = taken_apart(claim)
+    both = taken_apart(page.claim("s4e-same-as-passive"))[2]
     page.settle(
         "s4e-same-as-passive",
-        for_all(symbols, given, add_assum(same_condition(*both.of), *given)),
-        example=example({K: S.One, B: S.One, b: S.One, T: S.One, d: S.One, t_d: S.One}, given),
+        same_condition(*both.of),
+        example={K: S.One, B: S.One, b: S.One, T: S.One, d: S.One, t_d: S.One},
         note="as formulas, for every real $d$. (9) bounds the passive walls for integer $d$ and "
         "in its range of $B$ only, and with $b=b_D$ by (3)",
     )
@@ -80,8 +78,8 @@ def in_its_range(page):
     page.lemma(
         r"For $\delta=b_DT/m$ the walls on or below the line are passive", passive_on_the_line()
     )
-    claim = CLAIMED["s4e-passive-range"](())
-    symbols, given, passive = taken_apart(claim)
+    claim = page.claim("s4e-passive-range")
+    passive = taken_apart(claim)[2]
     extra = [whole(d), alpha >= 0, Eq(delta, b_D * T / m)]
     ones = {m: S.One, T: S.One, b_H: S.Zero, B: S.Zero}
     easy = in_units(ones | {K: S.One, b_D: S.One, t_d: S.Zero})
@@ -90,11 +88,10 @@ def in_its_range(page):
         (ones | {K: -S(3), b_D: S.One, t_d: S.One}, STEPS),
         (ones | {K: S.One, b_D: S.Zero, b_H: S.One, t_d: S.Zero}, TO_AND_FRO),
     ]
-    more = [*given, *extra]
     page.settle(
         "s4e-passive-range",
-        for_all(symbols, more, add_assum(passive_on_the_line(), *more)),
-        example=example(easy, more),
+        as_claimed(claim, passive_on_the_line(), *extra),
+        example=easy,
         unless=[
             counterexample(
                 claim,

@@ -51,12 +51,11 @@ def derive(page):
 
 def second_order(page):
     """The line is the boundary to first order."""
-    claim = CLAIMED["s4e-linearised"](())
-    symbols, given, _ = taken_apart(claim)
+    symbols = taken_apart(page.claim("s4e-linearised"))[0]
     page.settle(
         "s4e-linearised",
-        for_all(symbols, given, linearised()),
-        example=example(dict.fromkeys(symbols, S.Zero), given),
+        linearised(),
+        example=dict.fromkeys(symbols, S.Zero),
         note=r"in $\alpha$, $\gamma$ and $\delta$ together, for $d=0$ and $d=1$. For one arm the "
         "line is not the tangent (linear-tangent): the boundary without a spring starts at "
         r"$(0,-\delta)$ with a smaller slope",
@@ -66,7 +65,7 @@ def second_order(page):
 def order_of_period(page):
     """Which are of order T for a given device."""
     claim = short_periods()
-    symbols, given, _ = taken_apart(claim)
+    symbols = taken_apart(claim)[0]
     page.state(
         "linear-short-periods",
         "for $d=0$ and $d=1$ the boundary tends to the line of (24) as $T\\to0$ with $KT\\le y$: "
@@ -76,7 +75,7 @@ def order_of_period(page):
     easy = dict.fromkeys(symbols, S.Zero) | {m: S.One, T: S.One}
     page.settle(
         "linear-short-periods",
-        for_all(symbols, given, all_tend()),
-        example=example(easy, given),
+        all_tend(),
+        example=easy,
         note="both sides of (24) are of order 1 there, so that the relative error is of order $T$",
     )

@@ -8,7 +8,7 @@ exact boundary.
 from symhaptic.book.lemmas.linear import turned
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
-from symhaptic.model import boundary, linear
+from symhaptic.model import linear
 from symhaptic.paper.propositions.linear import EXCHANGED, decides
 
 G = symbols("g")
@@ -72,25 +72,19 @@ def settle(page, physical, virtual):
         r"So the two are equivalent in the limit $\alpha\to0$. Otherwise they are equivalent only "
         "where (25) decides correctly for both, since it contains only their sum."
     )
-    claim = CLAIMED["s6-linear-dissipation"](())
-    symbols, given, same = taken_apart(claim)
+    claim = page.claim("s6-linear-dissipation")
+    same = taken_apart(claim)[2]
     extra = [decides(), decides().at(EXCHANGED)]
-    more = [*given, *extra]
     easy = {**physical, alpha: Rational(1, 1000), delta: Rational(1, 100), x: Rational(1, 200)}
     more_virtual, less_virtual = {**virtual, x: physical[delta]}, {**physical, x: -physical[delta]}
     page.settle(
         "s6-linear-dissipation",
-        for_all(symbols, more, add_assum(exchanged(), *more)),
-        example=example(easy, more, *(at_point(e, easy) for e in extra)),
-        unless=[
-            counterexample(
-                claim, at, *(at_point(e, at) for e in (same, *extra)), holds=[holds], but=but
-            )
-            for at, holds, but in (
-                (more_virtual, extra[0], extra[1]),
-                (less_virtual, extra[1], extra[0]),
-            )
-        ],
+        as_claimed(claim, exchanged(), *extra),
+        example=(easy, *(at_point(e, easy) for e in extra)),
+        unless={
+            but: (at, *(at_point(e, at) for e in (same, *extra)))
+            for but, at in zip(extra[::-1], (more_virtual, less_virtual), strict=True)
+        },
         shows=r"$d=1$, $\gamma=0.001$, $\alpha=0.01$: $\beta+\delta=0.015$ is stable with "
         r"$\delta=0.02$ and unstable with $\delta=0$",
         note="that is, in the limit of small $\\alpha$: physical damping is worth "

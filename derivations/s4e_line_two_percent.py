@@ -57,8 +57,7 @@ def derive(page):
 def own(page):
     """The thresholds for the spring of Fig. 10."""
     claim = threshold()
-    symbols, given, _ = taken_apart(claim)
-    theorem = for_all(symbols, given, on_either_side())
+    theorem = on_either_side()
     page.state(
         "linear-two-percent",
         "for $\\gamma=0.001$ the error exceeds 2\\,\\% for a wall of the boundary with "
@@ -69,22 +68,21 @@ def own(page):
     page.settle(
         "linear-two-percent",
         theorem,
-        example=example({delta: DAMPED}, given),
+        example={delta: DAMPED},
         note="without a spring the damping is slightly larger",
     )
 
 
 def papers(page):
     """Beside the spring of Fig. 10, for each damping beyond 0.015."""
-    symbols, given, _ = taken_apart(CLAIMED["s4e-two-percent"](()))
     found = inst(in_the_corner(), {gamma: STIFF})
     known = [fact(h) for h in found.hypotheses if not h.free]
     damped = positive(delta > 0, delta > THRESHOLD, [THRESHOLD])
     every = closed(found, *known, damped, positive(delta >= 0, [damped]))
     page.settle(
         "s4e-two-percent",
-        for_all(symbols, given, every),
-        example=example({delta: DAMPED}, given),
+        every,
+        example={delta: DAMPED},
         note=r"0.015 is not a threshold: inside (23) such walls exist for every $\gamma\delta>0$ "
         r"(linear-error-corner), next to the corner at $\alpha=-\gamma$; with $\alpha\ge0$ "
         r"they exist from $\delta=0.01481$ on for $d=1$ and from $0.01744$ on for $d=0$ "

@@ -46,9 +46,7 @@ def derive(page):
         r"shows that it is concave up to $\alpha=0.16$; no stiffer wall is stable. So the stable "
         "walls of the line end at one wall, its only crossing with the boundary:"
     )
-    claim = CLAIMED["s4e-unstable-side"](())
-    symbols, arms, _ = taken_apart(claim)
-    theorem = for_all(symbols, arms, add_assum(one_crossing(), *arms))
+    theorem = as_claimed(page.claim("s4e-unstable-side"), one_crossing())
     page.lemma(
         "If a wall on the line is stable, every less stiff wall on the line is stable",
         theorem,
@@ -59,7 +57,7 @@ def derive(page):
     page.settle(
         "s4e-unstable-side",
         theorem,
-        example=example({gamma: S.Zero, delta: S.Zero, x: S.One, alpha: S(2)}, arms),
+        example={gamma: S.Zero, delta: S.Zero, x: S.One, alpha: S(2)},
         note="for $d=0$, $d=1$ and all of (23); without damping the crossing is the origin, and "
         "all of the line with $\\alpha>0$ is unstable",
     )

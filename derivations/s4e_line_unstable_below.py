@@ -28,8 +28,7 @@ def derive(page):
         "is larger, and the other inequalities hold in the whole triangle."
     )
     claim = safe()
-    symbols, arms, _ = taken_apart(claim)
-    theorem = for_all(symbols, arms, add_assum(below_the_crossing(), *arms))
+    theorem = as_claimed(claim, below_the_crossing())
     page.lemma(
         "A wall with (25) and at most the damping of a stable wall on the line is stable",
         theorem,
@@ -49,6 +48,6 @@ def derive(page):
     page.settle(
         "linear-safe",
         theorem,
-        example=example(arm | wall, arms),
+        example=arm | wall,
         note="up to the damping $\\beta_\\times$ of the only crossing",
     )

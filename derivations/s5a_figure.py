@@ -14,7 +14,6 @@ from symhaptic.book.lemmas.one_plane import (
     stable_curve,
 )
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import boundary, passivity
 from symhaptic.paper.propositions.plots import dashed
 
 

@@ -7,9 +7,7 @@ as the stable ones, and depend only on the damping $\delta$ and the delay.
 from symhaptic.book.lemmas.motions import STEPS, half_late, not_on_boundary
 from symhaptic.book.lemmas.normalised_boundary import above_in_units, in_units
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import passivity
-from symhaptic.notation import b, omega_hat
-from symhaptic.paper import STATEMENTS
+from symhaptic.notation import omega_hat
 from symhaptic.paper.propositions.passivity import BORDER
 
 
@@ -42,8 +40,7 @@ def derive(page):
 def _boundary(page, *forms):
     """What holds of (7) holds of (27), with Table I."""
     printed = STATEMENTS["eq27"].printed
-    claim = CLAIMED["eq27"](printed)
-    symbols, given, then = taken_apart(claim)
+    then = taken_apart(page.claim("eq27"))[2]
     curve, others = then.of
     on_it = page.lemma(
         "A wall of (27), in SI units, is passive, and requires exactly the damping $b$",
@@ -62,19 +59,17 @@ def _boundary(page, *forms):
         disch(closed(above, conjunct(assume(others.of[0]), BORDER)), others.of[0]),
     )
     end = omega_hat <= pi / (d + 1)
-    more = [*given, whole(d), end]
     half = _wall(printed, {d: S.Half, omega_hat: pi / 3})
     high = _wall(printed, {d: S.One, omega_hat: 2 * pi / 3})
-    unless = (half, half_late(Rational(17, 10)), end, whole(d)), (high, STEPS, whole(d), end)
     page.settle(
         "eq27",
-        for_all(symbols, more, add_assum(found, *more)),
+        found,
         *forms,
-        example=example(_wall(printed, {d: S.Zero, omega_hat: pi / 2}), more),
-        unless=[
-            counterexample(claim, at, not_on_boundary(then, at, motion), holds=[holds], but=but)
-            for at, motion, holds, but in unless
-        ],
+        example=_wall(printed, {d: S.Zero, omega_hat: pi / 2}),
+        unless={
+            whole(d): (half, not_on_boundary(then, half, half_late(Rational(17, 10)))),
+            end: (high, not_on_boundary(then, high, STEPS)),
+        },
         shows=r"for $d=1$, $\hat\omega=\tfrac23\pi$ (27) gives $(-4,2)\,\delta$: it has a negative "
         "stiffness",
         note=r"without delay (27) is the single point $(2\delta,0)$, and the rest of the boundary "

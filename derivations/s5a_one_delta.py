@@ -15,7 +15,6 @@ from symhaptic.book.lemmas.stiffest_passive import bound
 from symhaptic.book.lemmas.stiffest_stable import numbers_known, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import LATE, UNDELAYED, beside, from_bound, linear
 from symhaptic.book.lemmas.walls import damped, divisors, margins
-from symhaptic.notation import T, b_D, b_H, delta, m_D, m_H
 from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.paper.propositions.one_delta import (
     ARM,
@@ -165,9 +164,9 @@ def right() -> Theorem:
     """(5) with the device's delta <=> (5) with its damping."""
     there, back = in_units()
     claim: Any = instead().parts[0]
-    symbols, given, then = taken_apart(claim)
+    then = taken_apart(claim)[2]
     found = either_way(back, there, *then.of)
-    return for_all(symbols, given, add_assum(found, *given))
+    return as_claimed(claim, found)
 
 
 @cache
@@ -188,7 +187,7 @@ def _on_the_circle(theorem: Theorem) -> Theorem:
 @cache
 def stays_stable() -> Theorem:
     """A wall that meets (5) with the damping of the device is stable with every arm."""
-    symbols, given, loop = taken_apart(kept())
+    loop = taken_apart(kept())[2]
     here = {**UNITS, gamma: SPRING, delta: WHOLE}
     known = HELD.and_(K > 0)
     known.have(UNITS[alpha] > 0)
@@ -199,14 +198,14 @@ def stays_stable() -> Theorem:
     found = known.closed(closed(known.closed(found), more_damped(), in_units()[0]))
     found = known.closed(closed(found, more_damped(), in_units()[0]))
     assert loop
-    return for_all(symbols, given, add_assum(found, *given))
+    return as_claimed(kept(), found)
 
 
 @cache
 def outdone_by_the_arm() -> Theorem:
     """Some stable wall is 1 + b_H/b_D times as stiff as all passive ones: (11) with delta."""
     claim = outdone()
-    symbols, given, some = taken_apart(claim)
+    some = taken_apart(claim)[2]
     together = assume(b_D + b_H > 0)
     stable, tip = passive_tip()
     loop = {gamma: SPRING, delta: WHOLE}
@@ -219,7 +218,7 @@ def outdone_by_the_arm() -> Theorem:
     bare = for_all([K, B], [passive_], at_unit().closed(softer))
     held = HELD.closed(inst(stable, loop), together)
     found = HELD.closed(at_unit().closed(exists(conj(held, bare), some, values)))
-    return for_all(symbols, given, add_assum(found, *given))
+    return as_claimed(claim, found)
 
 
 def shown() -> Theorem:
@@ -248,7 +247,7 @@ def in_numbers() -> Theorem:
 @cache
 def drawn_too_large() -> Theorem:
     """32 times a passive wall of a device of Sec. IV-C is passive with the delta of the figures."""
-    symbols, given, plane = taken_apart(oversized())
+    plane = taken_apart(oversized())[2]
     inside = conjuncts(plane.body.of[0])
     there = at(assume(drawn(OWN)), {omega: omega}, *map(assume, inside))
     here = HELD.and_(b_D <= LIMITS[b_D] * m_D, LIMITS[T] >= T)
@@ -262,13 +261,13 @@ def drawn_too_large() -> Theorem:
     wanted = show(plane.body.of[1], there, more)
     found = for_all([omega], inside, _on_the_circle(here.closed(wanted)))
     found = HELD.closed(closed(found, in_units()[0]))
-    return for_all(symbols, given, add_assum(found, *given))
+    return as_claimed(oversized(), found)
 
 
 @cache
 def ratios_kept() -> Theorem:
     """17.8 and 9.3 are exceeded with the damping of the device alone, too."""
-    symbols, given, both_ = taken_apart(still_true())
+    both_ = taken_apart(still_true())[2]
     parts = []
     for claim, delay, wall in zip(both_.of, (0, 1), (UNDELAYED, LATE), strict=True):
         softer = inst(bound(), {K: alpha, B: beta, T: S.One, d: S(delay)})
@@ -283,7 +282,7 @@ def ratios_kept() -> Theorem:
             return positive(wanted, [share, softer], more, *linear(rest, RANGES[delta]))
 
         parts.append(beside(claim, stable_wall(delay, wall, RANGES), wall, less))
-    return for_all(symbols, given, add_assum(conj(*parts), *given))
+    return as_claimed(still_true(), conj(*parts))
 
 
 def easy(claim: Any) -> Case:

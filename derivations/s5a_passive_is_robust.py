@@ -8,7 +8,6 @@ from symhaptic.book.lemmas.connections import passive_wall_is_stable, stays_on_c
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import passive_in_numbers
 from symhaptic.book.lemmas.walls import divisors
-from symhaptic.model import passivity
 
 
 def derive(page):
@@ -18,8 +17,7 @@ def derive(page):
 
 def _robust(page):
     """A stiff passive wall with a damper is stable with every spring, for every delay."""
-    claim = CLAIMED["s5c-robust-subset"](())
-    symbols, given, robust = taken_apart(claim)
+    robust = taken_apart(page.claim("s5c-robust-subset"))[2]
     stiff = proposition(alpha * delta > 0)
     known = assume(stiff)
     damper = strictly(assume(delta >= 0), factor(delta, known, alpha))
@@ -40,9 +38,9 @@ def _robust(page):
     shaken = not_intro(calm, stays_on_circle(free, S.Zero), there)
     page.settle(
         "s5c-robust-subset",
-        for_all(symbols, [*given, stiff], add_assum(springs, *given)),
-        example=example(wall, [*given, stiff], shown(wall)),
-        unless=[counterexample(claim, drift, shown(drift), shaken, but=stiff)],
+        springs,
+        example=(wall, shown(wall)),
+        unless={stiff: (drift, shown(drift), shaken)},
         shows="without any stiffness the device drifts",
         note="that is for every passive wall with stiffness and a damper; and for every "
         r"$\gamma\ge0$, beyond the Nyquist frequency too",
@@ -60,8 +58,7 @@ def _scaled(page):
         because="the condition is linear in the wall: with $y$ times the damping, $y$ times the "
         "wall is passive",
     )
-    claim = CLAIMED["s5a-proportional"](())
-    symbols, given, scaled = taken_apart(claim)
+    _, given, scaled = taken_apart(page.claim("s5a-proportional"))
     small, large = scaled.of
     inside = [assume(p) for p in small.body.of[0].of]
     up = positive(large.body.of[1], [at(assume(small), {omega: omega}, *inside), y > 0])
@@ -75,4 +72,4 @@ def _scaled(page):
     )
     same = add_assum(either_way(*both, small, large), *given)
     point = {alpha: S.One, beta: S.Zero, delta: S.One, d: S.Zero, y: S.One}
-    page.settle("s5a-proportional", for_all(symbols, given, same), example=example(point, given))
+    page.settle("s5a-proportional", same, example=point)

@@ -82,8 +82,7 @@ def _subset(page):
         "This is the proof for integer delays, where (5) and (18) are exact. For other delays "
         r"the held force itself is considered, as in \chapter{s6e_fractional_passive_is_stable}."
     )
-    exact, computed = CLAIMED["s5a-subset"](()).of
-    walls, given, _ = taken_apart(exact)
+    exact, computed = page.claim("s5a-subset").of
     arm = {gamma: STIFF, delta: DAMPED}
     held = page.lemma(
         "A passive wall is stable with a damped device with a spring, for every delay",
@@ -91,17 +90,13 @@ def _subset(page):
         because="the stiffness of a passive wall is not negative",
     )
     first = numbers_known(inst(held, arm))
-    walls, sampled, _ = taken_apart(computed)
     margin = margins(passive())
     second = closed(conjunct(passive_is_stable(), STABLE), margin)
     second = closed(second, positive(alpha + gamma > 0, alpha >= 0, gamma > 0))
     second = numbers_known(inst(second, arm))
     page.settle(
         "s5a-subset",
-        conj(
-            for_all(walls, given, add_assum(first, *given)),
-            for_all(walls, sampled, add_assum(second, *sampled)),
-        ),
+        conj(as_claimed(exact, first), as_claimed(computed, second)),
         note="the first is for the held force and every real delay, the second for (5) and (18)",
     )
     _every_arm(page)
@@ -109,8 +104,7 @@ def _subset(page):
 
 def _every_arm(page):
     """Without a damper, or without anything that holds the mass, a passive wall does not do."""
-    claim = CLAIMED["s6-subset"](())
-    symbols, given, _ = taken_apart(claim)
+    claim = page.claim("s6-subset")
     extra = [DAMPED_DEVICE, HELD]
     wall = dict.fromkeys((alpha, gamma, d), S.Zero)
     drift = wall | {beta: Rational(1, 2), delta: S.One}
@@ -122,24 +116,12 @@ def _every_arm(page):
 
     page.settle(
         "s6-subset",
-        for_all(symbols, [*given, *extra], add_assum(passive_wall_is_stable(), *given)),
-        example=example(easy, [*given, *extra], shown(easy)),
-        unless=[
-            counterexample(
-                claim,
-                drift,
-                *(shown(drift), stays_on_circle(drift, S.Zero)),
-                holds=[DAMPED_DEVICE],
-                but=HELD,
-            ),
-            counterexample(
-                claim,
-                swing,
-                *(shown(swing), stays_on_circle(swing, pi / 2)),
-                holds=[HELD],
-                but=DAMPED_DEVICE,
-            ),
-        ],
+        as_claimed(claim, passive_wall_is_stable(), *extra),
+        example=(easy, shown(easy)),
+        unless={
+            HELD: (drift, *(shown(drift), stays_on_circle(drift, S.Zero))),
+            DAMPED_DEVICE: (swing, *(shown(swing), stays_on_circle(swing, pi / 2))),
+        },
         shows="with a passive wall without stiffness a free mass drifts, and without a damper a "
         "spring oscillates for ever",
         note="by the energy of the held force, for every real delay",

@@ -16,7 +16,6 @@ from symhaptic.book.lemmas.outweighed import stable_behind_every_delay
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import at_arm, at_peak, least, of_delay
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.model import boundary, passivity, plant
 from symhaptic.paper.propositions.ratio import (
     FALLEN,
     FINE,
@@ -139,7 +138,7 @@ def derive(page):
 
 def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:
     """A wall of the boundary is as stiff as all stable ones, and one of these nearly as it."""
-    symbols, given, then = taken_apart(claim)
+    then = taken_apart(claim)[2]
     tip_: Any = then
     angle, (limit, bounded), (wall, stable) = (
         tip(arm, delay)[2],
@@ -185,7 +184,7 @@ def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:
     parts.append(exists(conj(stable, positive(close, [less])), near, values))
     found = exists(conj(*parts), tip_, curve)
     found = closed(found, *apart, not_zero(bottom), *apart)
-    return for_all(symbols, given, add_assum(found, *given))
+    return as_claimed(claim, found)
 
 
 def rises(arm: Arm, delay: int, later: int) -> Theorem:
@@ -210,7 +209,7 @@ def drawn() -> Theorem:
         return rightmost(then.at(known), arm, int(known[symbols[1]]))
 
     found = each_value(then, dict(zip(symbols, given, strict=True)), build)
-    shown = [for_all(symbols, given, found)]
+    shown = [as_claimed(tips, found)]
     for spring, later in PEAKS.items():
         arm: Arm = (spring, DAMPED)
         delays = (*SHOWN, *later)

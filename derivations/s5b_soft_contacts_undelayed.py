@@ -89,7 +89,7 @@ def derive(page):
     wall = {alpha: Rational(7, 10), beta: Rational(4, 5), x: Rational(1, 10)}
     arm = {gamma: S.Zero, delta: Rational(1, 50)}
     stable = stable_at({**arm, **wall, d: S.Zero})
-    page.settle("undelayed-turned-down", theorem, example=example(wall | arm, given, stable))
+    page.settle("undelayed-turned-down", theorem, example=(wall | arm, stable))
 
 
 # A stable wall without delay stays stable while its stiffness falls, beside soft springs.

@@ -14,7 +14,7 @@ from symhaptic.book.lemmas.undelayed_tip import (
     none_stiffer,
 )
 from symhaptic.bounds.walls import over, passive, undelayed
-from symhaptic.model import boundary, jury, plant
+from symhaptic.model import jury
 
 RISE = n_1 + n_0
 
@@ -79,7 +79,7 @@ def largest(page, minor, arm):
     page.settle(
         "stiffest-wall-undelayed",
         closed_form(),
-        example=example({gamma: S.Zero, delta: S.Zero}, taken_apart(claim())[1]),
+        example={gamma: S.Zero, delta: S.Zero},
     )
 
 
@@ -100,11 +100,10 @@ def ratio(page):
         "the "
         "first, rounded up; just beyond the range 17.8 is too large",
     )
-    stated = CLAIMED["s5b-eta-d0"](())
     page.settle(
         "s5b-eta-d0",
-        of_ratio(stated, 0, UNDELAYED),
-        example=example({gamma: S.Zero, delta: end}, taken_apart(stated)[1]),
+        of_ratio(page.claim("s5b-eta-d0"), 0, UNDELAYED),
+        example={gamma: S.Zero, delta: end},
         enclosed=True,
         value=(ratios[0], over(S.One, ratios[0])),
         note=r"both hold on all of (23); the numbers are those of its corner $\gamma=0.001$, "

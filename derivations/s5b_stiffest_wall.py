@@ -9,7 +9,6 @@ from symhaptic.book.lemmas.outpaced import ROOM, room
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.bounds import walls
-from symhaptic.model import boundary
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import BESIDE
 from symhaptic.paper.propositions.stability import SQUARE
@@ -63,7 +62,7 @@ def derive(page):
         ),
     ):
         page.state(id, says, claim=claim)
-        page.settle(id, found, example=example({d: S.One}, [whole(d)], fact(whole(S.One))))
+        page.settle(id, found, example=({d: S.One}, fact(whole(S.One))))
     page.say(
         "The theorem holds for every device, with or without spring and damper. It bounds the "
         "stable stiffness by that of the tip. It does not show that walls just below the tip are "
@@ -218,18 +217,16 @@ def _for_plants(theorem: Theorem) -> Theorem:
 @cache
 def all_tangents() -> Theorem:
     """:func:`tangents`."""
-    walls, given, _ = taken_apart(_inner(tangents()))
-    return _for_plants(for_all(walls, given, add_assum(on_one_side(), *given)))
+    return _for_plants(as_claimed(_inner(tangents()), on_one_side()))
 
 
 @cache
 def all_tips() -> Theorem:
     """:func:`tips`."""
-    walls, given, _ = taken_apart(_inner(tips()))
     side, rise = inst(on_one_side(), {x: S.Zero}), assume(y > 0)
     below = over(BESIDE[0] - alpha > 0, positive((BESIDE[0] - alpha) * y > 0, [side]), rise)
     found = closed(positive(alpha < BESIDE[0], [below]), positive(Ne(y, 0), [rise]))
-    return _for_plants(for_all(walls, given, add_assum(found, *given)))
+    return _for_plants(as_claimed(_inner(tips()), found))
 
 
 def _inner(claim: Proposition) -> Proposition:

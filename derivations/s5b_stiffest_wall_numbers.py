@@ -11,7 +11,6 @@ from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
 from symhaptic.book.lemmas.outweighed import stable_behind_every_delay
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffness_claims import LATE, of_ratio
-from symhaptic.model import passivity
 from symhaptic.paper.propositions.far_higher import RATIOS, SIZES
 
 HELD = (
@@ -74,11 +73,10 @@ def derive(page):
         note=r"settled for the integer delays of Fig. 11: at $d=8$ a stable wall can be 2.46 times "
         rf"as stiff and 9 times as damped; {HELD}",
     )
-    claim = CLAIMED["s5b-eta-d1"](())
     page.settle(
         "s5b-eta-d1",
-        of_ratio(claim, 1, LATE),
-        example=example({gamma: S.Zero, delta: DAMPED}, taken_apart(claim)[1]),
+        of_ratio(page.claim("s5b-eta-d1"), 1, LATE),
+        example={gamma: S.Zero, delta: DAMPED},
         enclosed=True,
         note=r"both hold on all of (23). At its corner $\gamma=0.001$, $\delta=0.02$ the ratio is "
         rf"$9.314686\ldots$, truncated to 9.3, and 0.1074 is its inverse rounded up; {HELD}",

@@ -6,8 +6,6 @@ for which stiffness it is reached.
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.swing import SQUARE, by_its_square, rewritten, swings, up_to_nyquist
-from symhaptic.model import plant
-from symhaptic.model.plant import Plant
 
 
 def derive(page):
@@ -55,7 +53,7 @@ def derive(page):
 
 def _frequency(page, frequency):
     """(28): the square of the frequency is known, and its root."""
-    symbols, given, _ = taken_apart(CLAIMED["eq28"]((Eq(omega, frequency),)))
+    given = taken_apart(CLAIMED["eq28"]((Eq(omega, frequency),)))[1]
     square = over(SQUARE > 0, positive(4 * m * k - b**2 > 0, [4, m > 0, given[2]]), _four(m))
     apart = positive(Ne(m, 0), m > 0)
     root = closed(by_its_square(SQUARE), positive(SQUARE >= 0, [square]), apart)
@@ -63,9 +61,9 @@ def _frequency(page, frequency):
     point = {m: S.One, b: S.Zero, k: S.One, omega: S.One}
     page.settle(
         "eq28",
-        for_all(symbols, given, add_assum(same, *given)),
+        same,
         Eq(omega, frequency),
-        example=example(point, given),
+        example=point,
     )
 
 
@@ -75,7 +73,7 @@ def _four(mass):
 
 def _in_units(page, turns):
     """(29): the same with Table I; the square is divided by that of the period."""
-    symbols, given, same = taken_apart(CLAIMED["eq29"]((Eq(omega, turns / T),)))
+    _, given, same = taken_apart(CLAIMED["eq29"]((Eq(omega, turns / T),)))
     unit = inst(swings(), {b: delta * m / T, k: gamma * m / T**2})
     angle = by_its_square(gamma - delta**2 / 4)
     angle = inst(angle, {omega: omega * T})
@@ -97,28 +95,26 @@ def _in_units(page, turns):
     point = {m: S.One, T: S.One, gamma: S.One, delta: S.Zero, omega: S.One}
     page.settle(
         "eq29",
-        for_all(symbols, given, add_assum(both, *given)),
+        both,
         Eq(omega, turns / T),
-        example=example(point, given),
+        example=point,
     )
 
 
 def _up_to_nyquist(page, turns):
     """(30): the frequency (29), where it is real, and Nyquist's."""
-    symbols, given, both = taken_apart(CLAIMED["eq30"]((turns**2 <= pi**2,)))
+    _, given, both = taken_apart(CLAIMED["eq30"]((turns**2 <= pi**2,)))
     swinging, calm = both.of
     same = disch(up_to_nyquist(), swinging.of[0])
     slow = positive(calm.of[1], calm.of[0], number(Relation(S.Zero, "<", pi**2)))
     found = add_assum(conj(same, disch(slow, calm.of[0])), *given)
     point = {T: S.One, gamma: S.One, delta: S.Zero, omega: S.One}
-    page.settle(
-        "eq30", for_all(symbols, given, found), turns**2 <= pi**2, example=example(point, given)
-    )
+    page.settle("eq30", found, turns**2 <= pi**2, example=point)
 
 
 def _undamped(page):
     """Without damping (30) is an equation for gamma = pi^2."""
-    symbols, given, then = taken_apart(CLAIMED["s5c-nyquist-spring"](()))
+    _, given, then = taken_apart(page.claim("s5c-nyquist-spring"))
     reached, spring = then.of
     law, period = assume(given[-1]), positive(Ne(T, 0), T > 0)
     root = combined(Eq(sqrt(gamma), pi), [assume(reached), 1], [law, -T])
@@ -130,7 +126,7 @@ def _undamped(page):
     same = closed(either_way(stiff, fast, reached, spring), period)
     page.settle(
         "s5c-nyquist-spring",
-        for_all(symbols, given, add_assum(same, *given)),
-        example=example({T: S.One, omega: S.One, gamma: S.One}, given),
+        same,
+        example={T: S.One, omega: S.One, gamma: S.One},
         note="with damping it is $\\gamma=\\pi^2+\\frac14\\delta^2$",
     )

@@ -6,7 +6,6 @@ We compare the limit with the arms of Table II.
 from symhaptic.book.lemmas.arm_ranges import SHARE, above, damped, divisors, scale, weak
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.swing import spring_of_nyquist
-from symhaptic.model import plant
 
 DEVICE = {m: Rational(1, 10), T: Rational(1, 1000)}
 """Example 5.1, in kg and s."""
@@ -26,7 +25,7 @@ def arms(page):
         "In units of mass and period the limit is $\\gamma=\\pi^2$ to $\\pi^2+0.0001$. The range "
         "(23) ends at $\\gamma=0.001$:"
     )
-    symbols, given, near = taken_apart(CLAIMED["s5c-human-10000"](()))
+    _, given, near = taken_apart(page.claim("s5c-human-10000"))
     limit, largest = map(assume, given[-2:])
     lower = combined(
         gamma >= 9500 * x,
@@ -49,8 +48,8 @@ def arms(page):
     found = closed(found, positive(Ne(x, 0), [size]))
     page.settle(
         "s5c-human-10000",
-        for_all(symbols, given, add_assum(found, *given)),
-        example=example({gamma: pi**2, delta: S.Zero, x: Rational(1, 1000)}, given),
+        found,
+        example={gamma: pi**2, delta: S.Zero, x: Rational(1, 1000)},
         enclosed=True,
         value=1000 * pi**2,
         note=r"$T=1$ ms. (23) was extended: the $710\,\mathrm{s}^{-2}$ of (21) give "
@@ -78,8 +77,7 @@ def human(page):
             mass * 10**6 * pi**2 / 568,
             name=r"\frac{\pi^2m}{T^2k_H}\Big|_{T=1\,\mathrm{ms}}",
         )
-    claim = CLAIMED["s6-human-10000"](())
-    symbols, given, about = taken_apart(claim)
+    _, given, about = taken_apart(page.claim("s6-human-10000"))
     alike = Eq(k_H * T**2 / m, Rational(1, 1000))
     low, high = about.of
     arm, spring = assume(alike), mp(spring_of_nyquist(), assume(given[-1]))
@@ -102,9 +100,9 @@ def human(page):
     same = point | {k_H: S(100)}
     page.settle(
         "s6-human-10000",
-        for_all(symbols, [*given, alike], add_assum(found, *given)),
-        example=example(same, [*given, alike], swung(same)),
-        unless=[counterexample(claim, point, swung(point), soft(about.at(point)), but=alike)],
+        found,
+        example=(same, swung(same)),
+        unless={alike: (point, swung(point), soft(about.at(point)))},
         shows=r"the 987\,000 N/m of Example 5.1 are 1740 times the stiffness of an arm of 568 N/m",
         note=r"at $T=1$ ms, with the stiffness per mass of (21) it is 13\,900 times, of (23) 9870",
     )

@@ -7,7 +7,6 @@ the paper.
 from symhaptic.book.lemmas.arm_ranges import FIFTIETH, SHARE, above, damped, divisors, scale, weak
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.swing import spring_of_nyquist
-from symhaptic.model.plant import Plant
 from symhaptic.paper.propositions.comparison import EXAMPLE
 from symhaptic.proof import box
 from symhaptic.proof.theorems.leaves import on_box
@@ -46,15 +45,15 @@ def example_(page, spring):
         on_box(box.positive(987500 - device, {b: (0, Rational(146, 10))})),
         because="so it rounds to the printed number",
     )
-    symbols, given, then = taken_apart(CLAIMED["eq31"]((Eq(k, spring),)))
+    then = taken_apart(CLAIMED["eq31"]((Eq(k, spring),)))[2]
     _, rounds = then.of
     about = disch(rounded(spring, rounds.of[1]), rounds.of[0])
     point = {m: S.One, b: S.Zero, k: S.One, T: S.One}
     page.settle(
         "eq31",
-        for_all(symbols, given, add_assum(conj(spring_of_nyquist(), about), *given)),
+        conj(spring_of_nyquist(), about),
         Eq(k, spring),
-        example=example(point, given),
+        example=point,
         enclosed=True,
         value=device.subs(b, 0),
         note=r"the number is that of $b=0$; it holds for $b\le14.6$ Ns/m, and (23) has $b\le2$",
@@ -70,7 +69,7 @@ def marginal(page, spring):
         delta**2 / (4 * pi**2),
         because="of the stiffness without damping, for every device",
     )
-    symbols, given, then = taken_apart(CLAIMED["s5c-marginal-b"](()))
+    then = taken_apart(page.claim("s5c-marginal-b"))[2]
     small, rounds = then.of
     room = above(Rational(102, 10**7) * pi**2, Rational(1, 10000))
     less = closed(
@@ -79,8 +78,8 @@ def marginal(page, spring):
     about = rounded(spring, rounds)
     page.settle(
         "s5c-marginal-b",
-        for_all(symbols, given, add_assum(closed(conj(less, about), *divisors()), *given)),
-        example=example({m: S.One, b: S.Zero, T: S.One}, given),
+        closed(conj(less, about), *divisors()),
+        example={m: S.One, b: S.Zero, T: S.One},
         note=r"less than $1.02\cdot10^{-5}$ inside (23)",
     )
 

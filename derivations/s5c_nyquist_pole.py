@@ -6,7 +6,7 @@ walls are stable then.
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.model import loop, plant
+from symhaptic.model import loop
 from symhaptic.paper.propositions.comparison import (
     LATE,
     MIRROR,
@@ -56,9 +56,8 @@ def derive(page):
         boxed=True,
     )
     once = {alpha: S.One, beta: S.Zero, delta: S.One, l: S.One, q: S.One}
-    symbols, given, _ = taken_apart(kept_at_minus_one())
     held = held_by_a_pole(pole, number(Relation(S.One, "<=", S.One)))
-    kept = for_all(symbols, given, add_assum(conj(pole, held), *given))
+    kept = as_claimed(kept_at_minus_one(), conj(pole, held))
     page.settle(
         "s5c-undamped-limit",
         conj(kept, split(), triangle()),
@@ -70,11 +69,10 @@ def derive(page):
         mirrored_pole(delta),
         because="for $\\gamma=\\pi^2+\\delta^2/4$, the Nyquist frequency of a damped device",
     )
-    symbols, given, _ = taken_apart(CLAIMED["s5c-pole-inside"](()))
     page.settle(
         "s5c-pole-inside",
-        for_all(symbols, given, add_assum(conj(damped, *inside()), *given)),
-        example=example(once, given, fact(whole(S.One))),
+        conj(damped, *inside()),
+        example=(once, fact(whole(S.One))),
         note=r"at the Nyquist frequency it is $-e^{-\delta/2}$, for every wall and delay",
     )
 

@@ -7,7 +7,7 @@ empty for $\delta=0$ and every delay, and that one spring excludes all walls wit
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undamped_robust import chord, excluded, outpaced, pulled, vanishes
-from symhaptic.model import loop, plant
+from symhaptic.model import loop
 
 
 def derive(page):
@@ -94,11 +94,10 @@ def derive(page):
         r"would hold with $\ge$, but the right side is negative. At the origin the device "
         "oscillates without a wall and is only limit stable."
     )
-    claim = CLAIMED["s5c-robust-vanishes"](())
-    symbols, given, then = taken_apart(claim)
+    symbols, given, then = taken_apart(page.claim("s5c-robust-vanishes"))
     page.settle(
         "s5c-robust-vanishes",
         for_all(symbols, given, vanishes(then.of[0])),
-        example=example({alpha: S.Zero, beta: S.Zero, d: S.Zero}, given),
+        example={alpha: S.Zero, beta: S.Zero, d: S.Zero},
         note=r"for every delay; one spring excludes all walls with $\alpha\ge0$",
     )

@@ -9,7 +9,6 @@ damping.
 from symhaptic.book.figures.stability import springs
 from symhaptic.book.lemmas.one_plane import up_to_nyquist
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import fractional, passivity, plant
 
 
 def derive(page):

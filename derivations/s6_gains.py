@@ -8,7 +8,7 @@ from symhaptic.book.lemmas.faster import SLOW, SOON, farthest, gained, much, not
 from symhaptic.book.lemmas.passive_tip import passive_wall
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import TURN, bound, waves
-from symhaptic.model import plant, wall
+from symhaptic.model import wall
 from symhaptic.paper.propositions.conclusion import FASTER
 from symhaptic.paper.propositions.passivity import PASSIVE
 from symhaptic.proof.theorems.analysis import grows
@@ -45,12 +45,12 @@ def passive(page):
         "at most $1+\\frac1d$ times the stiffness of some wall that is passive at the old rate",
         claim=claim(),
     )
-    symbols, given, _ = taken_apart(claim())
+    symbols = taken_apart(claim())[0]
     ones = dict.fromkeys(symbols, S.One)
     page.settle(
         "faster-sampling",
         gains_little(),
-        example=example(ones, given, fact(whole(S.One))),
+        example=(ones, fact(whole(S.One))),
         note=r"for every device, integer delay and integer ratio of rates, by (11) and since $\tan "
         "x/x$ increases",
     )
@@ -69,14 +69,13 @@ def settled(page):
         r"$\alpha<0.000053896$",
         farthest(),
     )
-    stated = CLAIMED["s6-faster-sampling"](())
-    symbols, ranges, then = taken_apart(stated)
+    then = taken_apart(page.claim("s6-faster-sampling"))[2]
     point = {gamma: S.Zero, delta: S.Zero, d: S(10), FASTER: S.One}
     page.settle(
         "s6-faster-sampling",
-        for_all(symbols, [*ranges, SLOW], add_assum(gained(), *ranges)),
-        example=example(point, [*ranges, SLOW], slow(point)),
-        unless=[counterexample(stated, SOON, much(then.at(SOON)), not_slow(), but=SLOW)],
+        gained(),
+        example=(point, slow(point)),
+        unless={SLOW: (SOON, much(then.at(SOON)), not_slow())},
         shows=r"at $d=1$, where the delay is twice the half period of the hold, sampling a hundred "
         r"times as fast gives a free mass more than 3.7 times the stable stiffness",
         note="for integer delays and ratios of rates, if a quarter is significant; the passive "
@@ -159,7 +158,7 @@ def weakly() -> Theorem:
 @cache
 def gains_little() -> Theorem:
     """:func:`claim`, by (11) for both rates."""
-    symbols, given, some = taken_apart(claim())
+    some = taken_apart(claim())[2]
     best = passive_wall()
     stiffness, damping = best.conclusion.of[:2]
     later = {T: T / FASTER, d: LATER}
@@ -190,4 +189,4 @@ def gains_little() -> Theorem:
     values = {x: stiffness, y: damping}
     bare = for_all([K, B], [others.at(values).body.of[0]], here.closed(room))
     found = here.closed(exists(conj(best, bare), some, values))
-    return for_all(symbols, given, add_assum(found, *given))
+    return as_claimed(claim(), found)

@@ -73,17 +73,16 @@ def in_numbers(page, parameter, id):
 def damping(page):
     """No factor bounds what the damper adds."""
     id = "s6-damping-any-delay"
-    claim = CLAIMED[id](())
-    symbols, known_of, then = taken_apart(claim)
+    then = taken_apart(page.claim(id))[2]
     theorem = by_a_factor(then, {delta: S.Zero}, {})
     point = {**LONG, delta: Rational(1, 50)}
     wall = {alpha: Rational(1, 2000), beta: S.Zero}
     denial = none_pushes(then.at(point), tuple(wall.values()), stable_at(wall | point))
     page.settle(
         id,
-        for_all(symbols, [*known_of, AT_ONCE], add_assum(theorem, *known_of)),
-        example=example({gamma: S.Zero, delta: S.Zero, d: S.Zero}, [*known_of, AT_ONCE]),
-        unless=[counterexample(claim, point, denial, but=AT_ONCE)],
+        theorem,
+        example={gamma: S.Zero, delta: S.Zero, d: S.Zero},
+        unless={AT_ONCE: (point, denial)},
         shows=r"at $d=49$, $\gamma=(\pi/100)^2$ no wall with $\alpha\ge0$ is stable without "
         r"damping, and $\alpha=0.0005$ is stable with $\delta=0.02$",
         note="of integer delays; without delay the factor is less than 1.05 on all of (23)",
@@ -93,8 +92,7 @@ def damping(page):
 def spring(page):
     """Nor what the spring takes."""
     id = "s6-stiffness-any-delay"
-    claim = CLAIMED[id](())
-    symbols, known_of, then = taken_apart(claim)
+    then = taken_apart(page.claim(id))[2]
     free: dict = {gamma: S.Zero}
     theorem = conj(by_a_factor(then.of[0], free, {}), by_a_factor(then.of[1], {}, free))
     point = {**LONG, delta: S.Zero}
@@ -102,9 +100,9 @@ def spring(page):
     denial = none_pushes(then.of[1].at(point), tuple(wall.values()), stable_at(wall | point | free))
     page.settle(
         id,
-        for_all(symbols, [*known_of, AT_ONCE], add_assum(theorem, *known_of)),
-        example=example({gamma: S.Zero, delta: S.Zero, d: S.Zero}, [*known_of, AT_ONCE]),
-        unless=[counterexample(claim, point, not_all(then.at(point), denial), but=AT_ONCE)],
+        theorem,
+        example={gamma: S.Zero, delta: S.Zero, d: S.Zero},
+        unless={AT_ONCE: (point, not_all(then.at(point), denial))},
         shows=r"at $d=49$ without damping the spring $\gamma=(\pi/100)^2$ excludes every wall with "
         r"$\alpha\ge0$, and $\alpha=0.0002$ is stable for a free mass",
         note="of integer delays; without delay the factor is less than 1.05 on all of (23)",

@@ -8,9 +8,6 @@ transfer function, which differs from the paper's $z^{-d}$.
 from symhaptic.book.lemmas.late_device import exact_late_plant, exact_plant
 from symhaptic.book.lemmas.late_loop import numbers_of_a_late_device
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import fractional, plant
-from symhaptic.model.parts import FULL
-from symhaptic.model.plant import Plant
 
 
 def derive(page):

@@ -6,15 +6,13 @@ polynomial, its roots at 1 and $-1$, and the explicit boundary.
 
 from symhaptic.book.lemmas.late_boundary import boundary_is_explicit, late_boundary
 from symhaptic.book.lemmas.late_loop import (
-    GIVEN,
     late_polynomial,
     numbers_of_a_late_device,
     polynomial_of_a_late_loop,
 )
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import fractional, loop, plant
-from symhaptic.model.parts import FULL
+from symhaptic.model import loop
 
 EXAMPLE = dict.fromkeys((alpha, beta, gamma, delta, epsilon), Rational(1, 2)) | {l: S.One}
 
@@ -53,7 +51,7 @@ def derive(page):
         "of both neighbouring integer delays",
         claim=late_polynomial(),
     )
-    page.settle("fractional-polynomial", found, example=example(EXAMPLE, GIVEN))
+    page.settle("fractional-polynomial", found, example=EXAMPLE)
 
     page.say("It is affine in the wall, so that the boundary is explicit again:")
     q = -(z ** (l + 1)) * bottom / top
@@ -104,7 +102,7 @@ def derive(page):
         "$Q=-z^{\\ell+1}A/M$, $z=e^{j\\theta}$, and the lines of a root at 1 and $-1$",
         claim=late_boundary(),
     )
-    page.settle("fractional-boundary", found, example=example(EXAMPLE, GIVEN))
+    page.settle("fractional-boundary", found, example=EXAMPLE)
     page.say(
         "A root on the unit circle needs $|A|=|M|\\,|(\\alpha+\\beta)z-\\beta|$, where $\\ell$ "
         "does not occur:"

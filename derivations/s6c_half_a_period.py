@@ -21,7 +21,6 @@ from symhaptic.book.lemmas.half_late_circle import (
 )
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.principal import FREE, in_truth, one_error, read_loop, read_too_largely
-from symhaptic.model import fractional, plant
 from symhaptic.proof.theorems.roots import none_enters
 
 
@@ -138,7 +137,7 @@ def derive(page):
         claim=half_late_mass(),
     )
     point, held = stands()
-    page.settle("fractional-half-mass", found, example=example(point, [whole(l), TRUE], held))
+    page.settle("fractional-half-mass", found, example=(point, held))
     found = page.lemma(
         "Some wall is stable in the paper's reading and unstable",
         one_error(),

@@ -6,14 +6,11 @@ consider the same motion with a force that changes inside the period.
 
 from symhaptic.book.lemmas.half_late_passive import DAMPER, passive_with
 from symhaptic.book.lemmas.late_passive_is_stable import (
-    GIVEN,
-    PASSIVE,
     late_passive_is_stable,
     late_passive_walls_are_stable,
     no_crossing,
 )
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import fractional, plant
 from symhaptic.notation import q_k
 
 
@@ -92,5 +89,5 @@ def derive(page):
     page.settle(
         "fractional-passive-is-stable",
         found,
-        example=example(point, [*GIVEN, PASSIVE], closed(damped, one())),
+        example=(point, closed(damped, one())),
     )

@@ -7,9 +7,8 @@ stiffness.
 
 from symhaptic.book.figures.fractional import passive_regions
 from symhaptic.book.lemmas.late_damping import damping_late, limit_points
-from symhaptic.book.lemmas.late_passivity import GIVEN, low_frequencies, needed_at_low_frequencies
+from symhaptic.book.lemmas.late_passivity import low_frequencies, needed_at_low_frequencies
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import fractional
 
 POINT = {K: S.One, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: HALF}
 
@@ -44,7 +43,7 @@ def derive(page):
         "fractional-low-frequencies",
         low >= 0,
         needed_at_low_frequencies(),
-        example=example(POINT, GIVEN),
+        example=POINT,
         note=r"at $d=\tfrac12$ and $B=0$ the paper allows $KT=b$; the exact limit is $0.944\,b$",
     )
     without_stiffness(page, margin / b**2)
@@ -90,7 +89,7 @@ def without_stiffness(page, share):
     page.settle(
         "fractional-limit-points",
         found,
-        example=example(POINT, GIVEN),
+        example=POINT,
         note="the paper gives $(0,-b)$ and $(0,b)$ for every delay; with a delay of half a period "
         r"the end is $1.296\,b$",
     )

@@ -10,8 +10,7 @@ from symhaptic.book.lemmas.late_damping import END, HERE, LOW, PAIR, all_between
 from symhaptic.book.lemmas.late_passivity import GIVEN, MARGIN, passive_late
 from symhaptic.book.lemmas.passivity import INSIDE, every_margin, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import fractional, passivity
-from symhaptic.notation import b, chi, kappa, r, u, w
+from symhaptic.notation import chi
 from symhaptic.proof.theorems.familiar import polar
 
 
@@ -79,7 +78,7 @@ def derive(page):
     page.settle(
         "fractional-next-whole",
         found,
-        example=example(NOTHING, [*GIVEN, NEXT_WALL], nothing_is_passive()),
+        example=(NOTHING, nothing_is_passive()),
         note="so (5) to (9) and (11) are safe with $d$ rounded up",
     )
 

@@ -7,7 +7,6 @@ the principal root of $z$. This differs from a delayed force, too, and we ask by
 from symhaptic.book.figures.fractional import stable_readings
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.principal import both_errors, read_wrongly
-from symhaptic.model import fractional, plant
 
 
 def derive(page):

@@ -6,14 +6,12 @@ rule is also used for walls with a delay. For which walls is it safe?
 
 from symhaptic.book.lemmas.circulation import outside, twice_the_damping
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.sources import CLAIMED, STATEMENTS
 
 RULE = "rules:twice-damping"
 
 
 def derive(page):
-    claim = CLAIMED[RULE](STATEMENTS[RULE].printed)
-    symbols, given, _ = taken_apart(claim)
+    given = taken_apart(page.claim(RULE))[1]
     found = page.lemma(
         "Without delay a wall $K\\le2b/T$, $B=0$ is stable with every mass and every spring",
         twice_the_damping(given[-1]),
@@ -33,9 +31,9 @@ def derive(page):
     )
     page.settle(
         RULE,
-        for_all(symbols, [*given, Eq(d, 0)], add_assum(found, *given)),
-        example=example(still | {d: S.Zero}, [*given, Eq(d, 0)]),
-        unless=[counterexample(claim, still | {d: S.One}, outside(late), but=Eq(d, 0))],
+        found,
+        example=still | {d: S.Zero},
+        unless={Eq(d, 0): (still | {d: S.One}, outside(late))},
         shows=r"$m=T=1$, $b=\tfrac12$: the wall $K=2b/T$ is unstable with one period of delay",
         note="safe without delay for every mass and every arm, and passive",
     )

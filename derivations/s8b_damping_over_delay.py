@@ -6,15 +6,13 @@ to $t_d$. It counts virtual damping like that of the device. Up to which virtual
 
 from symhaptic.book.lemmas.circulation import damping_over_delay, outside
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.sources import CLAIMED, STATEMENTS
 
 RULE = "rules:damping-over-delay"
 RANGE = b * d / (2 * d + 3) >= B
 
 
 def derive(page):
-    claim = CLAIMED[RULE](STATEMENTS[RULE].printed)
-    symbols, given, _ = taken_apart(claim)
+    given = taken_apart(page.claim(RULE))[1]
     found = page.lemma(
         "With little virtual damping a wall that satisfies the rule is stable with every spring",
         damping_over_delay(given[-1]),
@@ -31,9 +29,9 @@ def derive(page):
     page.lemma("Without delay the wall $K=1$, $B=3$ of $m=T=b=1$ is not stable", outside(braked))
     page.settle(
         RULE,
-        for_all(symbols, [*given, RANGE], add_assum(found, *given)),
-        example=example(wall | {B: -Rational(1, 10)}, [*given, RANGE]),
-        unless=[counterexample(claim, wall | {B: S(3)}, outside(braked), but=RANGE)],
+        found,
+        example=wall | {B: -Rational(1, 10)},
+        unless={RANGE: (wall | {B: S(3)}, outside(braked))},
         shows="$m=T=b=1$ without delay: $B=3$ allows $K<8$, and $K=1$ is unstable",
         note="in this range of $B$ the walls are passive, and safe for every mass and every arm; "
         r"without delay that is $B\le0$",

@@ -26,8 +26,6 @@ from symhaptic.forms.entire import (
     PlantN1,
     PlantTrace,
 )
-from symhaptic.model import plant
-from symhaptic.model.parts import FULL
 
 OWN = (
     (PlantN1, "The displacement under a force that is held for a period"),

@@ -8,8 +8,6 @@ from symhaptic.book.lemmas import stable_slope
 from symhaptic.book.lemmas.computed import settle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_slope import EARLY, SEARCHED, UNDELAYED
-from symhaptic.model import boundary
-from symhaptic.model.plant import Sampled
 
 DEVICE = Sampled(n_1, n_0, a, e)
 UNDEFINED = "wherever neither form divides by zero"

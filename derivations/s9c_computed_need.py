@@ -10,7 +10,6 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_need import MARGIN, NEEDS, straight
 from symhaptic.forms import required_damping
 from symhaptic.forms.entire import Chord, CosNext, Sinc, SinNext, Spread
-from symhaptic.model import fractional, passivity
 
 UNITS = {K: alpha, B: beta, T: S.One, b: delta}
 TURNED = (

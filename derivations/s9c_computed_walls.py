@@ -8,7 +8,6 @@ from symhaptic.book.lemmas.computed import settle, upright
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_walls import LATE_STIFFEST, LINEAR, STIFFEST, TOUCHED, WORST
 from symhaptic.forms.entire import Chord, Sinc, SinNext, Spread
-from symhaptic.model import passivity
 
 UNITS = {K: alpha, B: beta, T: S.One, b: delta}
 UNDEFINED = "wherever neither form divides by zero"

@@ -124,7 +124,7 @@ def test_behind_a_short_delay_it_goes_on_to_pi_and_a_straight_line_follows(delay
 
 
 def test_the_printed_curve_ends_where_it_bounds_nothing():
-    """s3b_extent: for every real delay angles above pi/(d + 1) cut off nothing."""
+    """s3b_rise: for every real delay angles above pi/(d + 1) cut off nothing."""
     theta, delta, delay = angles(20_000)
     wall = np.array(passivity_boundary(theta, delta, delay, sheet="principal"))
     there = np.isfinite(wall).all(axis=0)

@@ -181,7 +181,7 @@ def test_each_point_of_the_envelope_is_where_two_lines_meet():
     only(agrees_in_its_plane, *both, kept=("T", "m"))
 
 
-@guards("s3b_extent")
+@guards("s3b_rise")
 def test_frequencies_beyond_the_first_half_turn_cut_off_nothing():
     rng = np.random.default_rng(33)
     for d in (0.0, 0.3, 1.0, 1.6, 4.0):
@@ -197,7 +197,7 @@ def test_frequencies_beyond_the_first_half_turn_cut_off_nothing():
     )
 
 
-@guards("s3b_extent")
+@guards("s3b_rise")
 def test_the_two_ends_of_the_margin():
     def agrees(low, high):
         for u, w, N in ((0.3, 0.2, 2), (0.1, 0.9, 5.5), (0.02, -0.4, 12)):
@@ -210,8 +210,8 @@ def test_the_two_ends_of_the_margin():
 
     only(
         agrees,
-        shown("s3b_extent", "At the lower end the margin is a line"),
-        shown("s3b_extent", r"At $N\psi=\pi$ the condition depends on $w$ only"),
+        shown("s3b_rise", "At the lower end the margin is a line"),
+        shown("s3b_rise", r"At $N\psi=\pi$ the condition depends on $w$ only"),
     )
 
 

@@ -159,7 +159,7 @@ def test_five_numbers_and_as_many_roots_as_states():
     assert not np.allclose(motion.positions(alpha, beta, 1.1, delta, gamma, 1.0, d), here)
 
 
-@guards("s4b_scenes")
+@guards("s4b_polynomial")
 @pytest.mark.parametrize("parts", ALL, ids=lambda parts: parts.name)
 def test_each_scene_has_the_eigenvalues_of_a_loop_without_that_part(parts):
     gamma, delta = (1.3 if parts.stiffness else 0.0), (0.4 if parts.damping else 0.0)
@@ -176,7 +176,7 @@ def test_each_scene_has_the_eigenvalues_of_a_loop_without_that_part(parts):
     only(agrees, loop.characteristic(parts))
 
 
-@guards("s4b_scenes")
+@guards("s4b_polynomial")
 def test_devices_without_spring_or_damper():
     z, cases = 0.3 + 1.1j, []
     for title, gamma, delta in (
@@ -195,8 +195,8 @@ def test_devices_without_spring_or_damper():
             # gamma = 1.69 and Omega = 1.3 differ by a rounding
             assert complex(value(transfer, z=z, **at)) == pytest.approx(found, rel=1e-14)
 
-        only(agrees, shown("s4b_scenes", title))
-    least = shown("s4b_scenes", "The smallest scene leaves a cubic")
+        only(agrees, shown("s4b_polynomial", title))
+    least = shown("s4b_polynomial", "The smallest scene leaves a cubic")
 
     def agrees_least(polynomial):
         roots = np.linalg.eigvals(oracle.loops(0.7, 0.0, 0.0, 0.0, 0))

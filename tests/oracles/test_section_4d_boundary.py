@@ -12,7 +12,7 @@ from symhaptic.model import boundary, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import c
 
-ENDS, UNDAMPED = "s4d_explicit_boundary_ends", "s4d_explicit_boundary_undamped"
+ENDS, UNDAMPED = "s4d_explicit_boundary_ends", "s4d_explicit_boundary"
 
 
 def tiny(expected, found, scale=1.0):
@@ -197,7 +197,7 @@ def test_the_end_at_half_the_sampling_rate():
     only(agrees, *(shown(ENDS, title) for title in titles))
 
 
-@guards("s4d_explicit_boundary_undamped")
+@guards("s4d_explicit_boundary")
 def test_the_boundary_without_damping():
     cases = [(0.4, 0, 0.6), (2.0, 1, 1.3), (3.0, 2.5, 0.4), (5.0, 3, 3.0)]
 
@@ -217,7 +217,7 @@ def test_the_boundary_without_damping():
     only(agrees, *(shown(UNDAMPED, title) for title in titles))
 
 
-@guards("s4d_explicit_boundary_undamped")
+@guards("s4d_explicit_boundary")
 def test_both_ends_of_the_boundary_without_damping():
     with mpmath.workdps(100):
         gamma, near = mpmath.mpf("1.69"), mpmath.mpf("1e-20")

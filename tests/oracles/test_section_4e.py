@@ -136,7 +136,7 @@ def test_the_boundary_beside_the_line_at_its_start_and_for_short_periods():
     only(agrees_at_the_crossing, shown(LINE, title))
 
 
-@guards("s4e_line_tangent")
+@guards("s4e_line")
 @pytest.mark.parametrize(("gamma", "delta"), [(0, 0), (0, 0.2), (0.2, 0), (0.3, 0.2)])
 @pytest.mark.parametrize("d", [0, 1, 2.5])
 def test_only_a_free_mass_starts_along_the_line(gamma, delta, d):

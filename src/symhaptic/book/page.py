@@ -7,8 +7,10 @@ proved or raise :class:`FalseStep`, and which finds the verdicts of statements o
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from functools import partial
+from typing import Any, TypeAlias
 
 from sympy import Eq, Expr, Symbol
 from sympy.core.function import AppliedUndef
@@ -18,16 +20,20 @@ from symhaptic.book.record import FalseStep, in_latex
 from symhaptic.book.sources import CLAIMED, NO_ID, STATEMENTS, is_id
 from symhaptic.book.steps import Steps
 from symhaptic.notation.latex import latex
-from symhaptic.notation.proposition import Proposition
+from symhaptic.notation.proposition import Proposition, Terms, proposition
 from symhaptic.notation.terms import NoTerm
 from symhaptic.paper import Statement
 from symhaptic.paper.reading import Printed, Unreadable, read
 from symhaptic.proof.enclosed import Source
 from symhaptic.proof.settle import Settlement
 from symhaptic.proof.shape import Form, parts
-from symhaptic.proof.theorems.judge import Case, Judged, concludes, of_print
+from symhaptic.proof.theorems.judge import Case, Judged, concludes, of_print, taken_apart
 from symhaptic.proof.theorems.kernel import NotShown, Theorem, conj
+from symhaptic.proof.theorems.tactics import as_claimed, counterexample, example
 from symhaptic.proof.verdict import Kind, Verdict
+
+At: TypeAlias = Case | Terms | tuple[Any, ...]
+"""A case, as a point at which all is numbers, or as a point and theorems of what holds there."""
 
 
 class Page(Steps):
@@ -64,8 +70,8 @@ class Page(Steps):
         id: str,
         *grounds: Form | Theorem,
         definition: bool = False,
-        unless: Sequence[Case] | Mapping[Expr, Expr] | None = None,
-        example: Case | None = None,
+        unless: Sequence[At] | Mapping[Any, Any] | None = None,
+        example: At | None = None,
         instead: Proposition | None = None,
         enclosed: bool = False,
         corrected: Sequence[str] | None = None,
@@ -76,11 +82,14 @@ class Page(Steps):
     ) -> Verdict:
         """Settle a statement; the verdict is found, not given.
 
-        A theorem has to say what the statement claims (:mod:`symhaptic.proof.theorems.judge`): with
-        further hypotheses the statement is qualified, if there is an ``example`` at which they hold
-        and, in ``unless``, a case for each in which it alone is violated and the claim fails.  Of
-        what is false, the theorem is of the ``corrected`` print, or of what holds ``instead``.
-        ``value`` is the number that the text quotes.
+        A theorem has to say what the statement claims (:mod:`symhaptic.proof.theorems.judge`).  A
+        theorem of its conclusion is taken under the claim's own hypotheses, for all values of its
+        symbols.  With further hypotheses the statement is qualified, if there is an ``example`` at
+        which all hypotheses hold and, in ``unless``, a case for each further one in which it alone
+        is violated and the claim fails: a mapping of hypotheses to cases.  Of what is false, the
+        theorem is of the ``corrected`` print, or of what holds ``instead``, and ``unless`` lists
+        cases in which the claim fails.  A case is a point, or a tuple of a point and theorems
+        of what holds there.  ``value`` is the number that the text quotes.
 
         Without a theorem, equations are shown from the definitions on the page: the verdict names
         those.  A print that is wrong is a misprint of the equations given, and ``unless`` may be
@@ -100,10 +109,15 @@ class Page(Steps):
         if not theorems:
             point = dict(unless) if isinstance(unless, Mapping) else None
             return self._follows(statement, forms, point, corrected, value, note)
+        theorem = theorems[0] if len(theorems) == 1 else conj(*theorems)
+        if theorem.hypotheses or theorem.conclusion.free:
+            more = tuple(unless) if isinstance(unless, Mapping) else ()
+            with suppress(NoTerm, NotShown, ValueError):  # the judge says what is wrong
+                theorem = as_claimed(instead or self._right(id, corrected), theorem, *more)
         judged = Judged(
-            theorem=theorems[0] if len(theorems) == 1 else conj(*theorems),
-            example=example,
-            unless=tuple(unless or ()),
+            theorem=theorem,
+            example=_example(example, theorem),
+            unless=tuple(self._failures(id, unless or (), theorem)),
             corrected=None if corrected is None else tuple(corrected),
             instead=instead,
             misprint=misprint,
@@ -121,6 +135,34 @@ class Page(Steps):
             meant=self._meant,
         )
         return self._record(statement, settlement)
+
+    def claim(self, id: str, printed: Sequence[Expr] | None = None) -> Proposition:
+        """Return what a statement claims, or would claim with another print."""
+        claim = self.claimed.get(id) or CLAIMED.get(id)
+        if claim is None:
+            raise NotShown(f"{id} claims nothing that a theorem could show")
+        return claim(self._statement(id).printed if printed is None else tuple(printed))
+
+    def _right(self, id: str, corrected: Sequence[str] | None) -> Proposition:
+        """The claim of a statement with its correct print."""
+        lines = None if corrected is None else [p for line in corrected for p in read(line)]
+        return self.claim(id, lines)
+
+    def _failures(
+        self, id: str, unless: Sequence[At] | Mapping[Any, Any], theorem: Theorem
+    ) -> Iterator[Case]:
+        """Cases in which the claim fails, and of the further hypotheses just one."""
+        pairs = unless.items() if isinstance(unless, Mapping) else ((None, at) for at in unless)
+        for but, at in pairs:
+            if isinstance(at, Case):
+                yield at
+                continue
+            point, *theorems = at if isinstance(at, tuple) else (at,)
+            claim, holds = self.claim(id), []
+            if but is not None:
+                supposed = (*taken_apart(claim)[1], proposition(but))
+                holds = [p for p in taken_apart(theorem.conclusion)[1] if p not in supposed]
+            yield counterexample(claim, point, *theorems, holds=holds, but=but)
 
     def _follows(
         self,
@@ -200,6 +242,14 @@ class Page(Steps):
         statement = self._statement(id)
         claim = self.claimed.get(id) or CLAIMED.get(id)
         return self._record(statement, Settlement(left_open=True, note=note, claim=claim))
+
+
+def _example(at: At | None, theorem: Theorem) -> Case | None:
+    """The case in which all hypotheses of a theorem hold."""
+    if at is None or isinstance(at, Case):
+        return at
+    point, *theorems = at if isinstance(at, tuple) else (at,)
+    return example(point, taken_apart(theorem.conclusion)[1], *theorems)
 
 
 def _told(id: str, corrected: Sequence[str], instead: Proposition) -> None:

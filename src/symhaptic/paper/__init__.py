@@ -4,10 +4,9 @@ Hulin, Albu-Schaeffer and Hirzinger, *Passivity and Stability Boundaries for Hap
 Time Delay*, IEEE Transactions on Control Systems Technology, 2014.  Nothing is computed here and
 nothing is corrected; what is right instead is part of the verdict, in a chapter (see ``book``).
 
-* ``equations``, ``tables``, ``figures``: what has a number
-* ``claims``, ``claims_compared``, ``slips``: sentences, with their numbers such as 17.8; wrong
-  words
-* ``statement``, ``quoted``, ``ranges``: what these are made of
+* ``statements.toml``: equations, figures, tables, claims with their numbers such as 17.8, slips
+* ``tables``, ``ranges``: numbers of Table II, of the figures, and the ranges (23)
+* ``statement``, ``quoted``: what a statement is made of
 * ``reading``: reads a published formula
 * ``propositions``: what each statement claims
 
@@ -17,16 +16,36 @@ Imports ``notation``; used by ``rules``, ``proof``, ``book``, ``scene``, ``bench
 
 from __future__ import annotations
 
-from symhaptic.paper.claims import CLAIMS
-from symhaptic.paper.claims_compared import CLAIMS_COMPARED
-from symhaptic.paper.equations import EQUATIONS
-from symhaptic.paper.figures import FIGURES
-from symhaptic.paper.slips import SLIPS
-from symhaptic.paper.statement import Statement
-from symhaptic.paper.tables import TABLES
+import tomllib
+from importlib.resources import files
+from typing import Any
 
-STATEMENTS: dict[str, Statement] = {
-    s.id: s for s in (*EQUATIONS, *TABLES, *FIGURES, *CLAIMS, *CLAIMS_COMPARED, *SLIPS)
-}
+from symhaptic.notation import TABLE_I
+from symhaptic.paper.quoted import Quoted
+from symhaptic.paper.statement import Statement
+
+
+def _statement(row: dict[str, Any]) -> Statement:
+    """A statement as the transcription has it; its texts are folded lines."""
+    for name, value in row.items():
+        if isinstance(value, str):
+            row[name] = " ".join(value.split())
+        elif name == "quoted":
+            row[name] = tuple(Quoted(*pair) for pair in value)
+        elif name in ("latex", "reading"):
+            row[name] = tuple(" ".join(line.split()) for line in value)
+    if row["id"] == "tab1":
+        row["latex"] = tuple(r.dimensionless for r in TABLE_I if r.dimensionless is not None)
+    return Statement(**row)
+
+
+def _transcription() -> dict[str, Statement]:
+    text = files(__name__).joinpath("statements.toml").read_text(encoding="utf-8")
+    found = [_statement(row) for kind in tomllib.loads(text).values() for row in kind]
+    return {statement.id: statement for statement in found}
+
+
+STATEMENTS = _transcription()
+"""The statements of the paper by their ids: equations, tables, figures, claims and slips."""
 
 __all__ = ["STATEMENTS", "Statement"]

@@ -1,11 +1,8 @@
-"""Tables I and II as published, and the two numbers of Sec. IV-C that come with the second."""
+"""Numbers as published: those of Table II, of Sec. IV-C beside it, and of the figures."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-
-from symhaptic.notation import TABLE_I
-from symhaptic.paper.statement import Statement
 
 
 @dataclass(frozen=True)
@@ -46,20 +43,5 @@ EXCLUDED = "Kuchenbecker et al."
 DEVICE_RATIO = "0.625"
 """Bound of b_D/m_D in 1/s for the devices of the paper's reference [8]."""
 
-TABLES = (
-    Statement(
-        "tab1",
-        "Table I",
-        "the normalisation rules",
-        tuple(row.dimensionless for row in TABLE_I if row.dimensionless is not None),
-        quote="replacing all physical parameters by their dimensionless counterparts (see Table I)",
-    ),
-    Statement(
-        "tab2",
-        "Table II",
-        "mass, stiffness and damping of human arms in the literature",
-        quote="Table II lists several values for mass, stiffness, and damping of human arms that "
-        "were used in literature, comprising various grasps and different directions of "
-        "movement.",
-    ),
-)
+DELAYS = ("0", "0.25", "0.5", "1", "2", "4", "8")
+"""Delay factors of Figs. 4 and 11."""

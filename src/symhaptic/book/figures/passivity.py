@@ -13,7 +13,7 @@ from symhaptic.model import boundary as boundary_of
 from symhaptic.model import jury, passivity, plant
 from symhaptic.model.parts import Parts
 from symhaptic.notation import T, alpha, b, beta, d, theta
-from symhaptic.paper.figures import DELAYS
+from symhaptic.paper.tables import DELAYS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

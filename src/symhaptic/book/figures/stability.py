@@ -16,7 +16,7 @@ from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 from symhaptic.numeric.tracing.margin import delay_margin
 from symhaptic.numeric.tracing.region import Region, stable_region
 from symhaptic.numeric.tracing.robust import robust_region
-from symhaptic.paper.figures import DELAYS
+from symhaptic.paper.tables import DELAYS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -1,7 +1,7 @@
 """Bounds of gamma and delta by what arm and device have on their own."""
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import b, second
+from symhaptic.notation import second
 from symhaptic.paper.propositions.arm import y_D, y_H
 
 PLAIN = dict.fromkeys((T, m_D, m_H, b_D, b_H, k_H, delta), S.One) | {gamma: S.Half}

@@ -3,7 +3,6 @@
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import linear
-from symhaptic.model.plant import Sampled
 from symhaptic.proof.theorems.analysis import grows
 from symhaptic.proof.theorems.samples import after_a_blow
 

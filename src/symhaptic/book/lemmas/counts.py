@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from sympy import Abs
-
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.notation import Delta_x, b, f_c, p_k
+from symhaptic.notation import Delta_x, f_c
 from symhaptic.proof.theorems.energy import counted, dissipates, swing_gains
-from symhaptic.proof.theorems.familiar import with_rest
 from symhaptic.rules.other_loops import SPRING, WALL
 
 SAMPLED: Any = proposition(2 * b / T >= K)

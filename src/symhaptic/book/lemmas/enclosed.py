@@ -10,7 +10,7 @@ from symhaptic.paper.propositions.stability import START, WAY
 @cache
 def enclosed_walls_are_stable() -> Theorem:
     """The claim ``enclosed``: on the way no zero crosses the circle, so that all stay inside."""
-    symbols, given, _ = taken_apart(enclosed())
+    given = taken_apart(enclosed())[1]
     _, begin, free = given
     readings = loop_of_device(NUMBERS, LOOP)
     loop = conjunct(readings, readings.conclusion.parts[1])
@@ -27,4 +27,4 @@ def enclosed_walls_are_stable() -> Theorem:
     found = roots_stay(here, there - here, z, share, angle, crossing, static, inside)
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
     found = closed(mp(loop, found), *steps)
-    return for_all(symbols, given, add_assum(found, *given))
+    return as_claimed(enclosed(), found)

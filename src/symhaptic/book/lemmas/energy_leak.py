@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.chords import HALF
 from symhaptic.book.lemmas.linear_part import passive_below
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import limits
-from symhaptic.notation import b
 from symhaptic.rules.other_loops import UNDAMPED
 
 HERE = Given(T > 0, b > 0, d >= 0, K >= 0, whole(d))

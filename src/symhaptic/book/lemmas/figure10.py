@@ -30,7 +30,7 @@ def angle_of(damper: Expr, delay: int, level: Expr) -> Rational:
 
 def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
     """The wall of the boundary at this angle has an error near the level."""
-    symbols, given, some = taken_apart(claim)
+    some = taken_apart(claim)[2]
     here = {gamma: STIFF, delta: damper}
     ranges = {s: (v, v) for s, v in here.items()}
     angle = angle_of(damper, delay, level)
@@ -57,7 +57,7 @@ def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
         parts.append(positive(shown, [on_curve(scaled), share]))
     found = exists(conj(*parts), some, wall)
     apart = not_zero(bottom), not_zero(on_curve(size))
-    return for_all(symbols, given, add_assum(closed(found, *apart, *apart), *given))
+    return as_claimed(claim, closed(found, *apart, *apart))
 
 
 @cache
@@ -86,4 +86,4 @@ def drawn() -> Theorem:
         mark(claim, damper, int(late), -LEVELS[1])
         for claim, (late, damper) in zip(more, BEFORE, strict=True)
     )
-    return conj(conj(for_all(symbols, given, found), *others), line_and_curve())
+    return conj(conj(as_claimed(curves, found), *others), line_and_curve())

@@ -88,7 +88,7 @@ def drawn() -> Theorem:
     found = each_value(
         then, dict(zip(symbols, given, strict=True)), lambda corner: at_corner(then, corner)
     )
-    whole_region = for_all(symbols, given, found)
+    whole_region = as_claimed(region, found)
     over, (damper, late), narrow = taken_apart(visible)
 
     def width(known: dict[Symbol, Expr]) -> Theorem:

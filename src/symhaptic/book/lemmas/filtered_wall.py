@@ -5,7 +5,7 @@ from __future__ import annotations
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import PI, by_sign_of_damping, cosine_bounds
-from symhaptic.notation import b, f_v
+from symhaptic.notation import f_v
 from symhaptic.paper.propositions.passivity import SIX
 from symhaptic.proof.theorems.energy import filtered
 from symhaptic.proof.theorems.familiar import linear

@@ -4,7 +4,6 @@ from symhaptic.book.lemmas.extent import ends
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import DELAY, TURN, WHOLE_WALL, first_half
-from symhaptic.model import passivity
 
 
 def divisors(angle: Any) -> tuple[Theorem, ...]:

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import definitions, explicit, renamed
-from symhaptic.model.parts import FULL
-from symhaptic.model.plant import Plant, normalised
+from symhaptic.model.plant import normalised
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.samples import held_answer
 

@@ -2,7 +2,6 @@
 
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import fractional
 from symhaptic.proof.theorems.energy import toeplitz
 
 WALL = (K, B, b, T, l, epsilon)

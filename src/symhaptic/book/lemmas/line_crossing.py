@@ -12,9 +12,8 @@ from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, of_every_plant, on_box
-from symhaptic.model.circle import expanded, powers
+from symhaptic.model.circle import powers
 from symhaptic.model.linear import on_the_line
-from symhaptic.paper.propositions.device import transcribed
 from symhaptic.paper.propositions.linear import safe
 
 TOP = {0: Rational(72, 100), 1: Rational(16, 100)}

@@ -2,7 +2,7 @@
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import lag
-from symhaptic.notation import b, t_e
+from symhaptic.notation import t_e
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.linear import LAGGING
 from symhaptic.proof.theorems.roots import hurwitz

@@ -11,7 +11,6 @@ from symhaptic.book.lemmas.linear_gap import MOST, narrow
 from symhaptic.book.lemmas.linear_rays import share
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
-from symhaptic.model.circle import expanded
 from symhaptic.model.linear import CHORD
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import LEVEL, far_in_the_corner

@@ -22,7 +22,6 @@ from symhaptic.book.lemmas.linear_rays import (
 )
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
-from symhaptic.model.circle import expanded
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import LATER, LEVEL, beside, error, on_boundary_at
 

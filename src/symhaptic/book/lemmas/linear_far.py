@@ -11,8 +11,6 @@ from symhaptic.book.lemmas.linear_rays import share
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model import linear
-from symhaptic.model.circle import expanded
-from symhaptic.model.plant import Sampled
 from symhaptic.paper.propositions.linear_error import LEVEL, error, far
 
 Ranges = Mapping[Symbol, tuple[Any, Any]]

@@ -8,7 +8,7 @@ from symhaptic.book.lemmas.line_crossing import AT_REST, ROOM, divided, room
 from symhaptic.book.lemmas.linear_boundary import LOW, TOP, level, minor, turn
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import on_box
-from symhaptic.model.circle import expanded, powers, quotient
+from symhaptic.model.circle import powers, quotient
 
 A, b, A_1, b_1, y = symbols("A b A_1 b_1 y")
 """Two walls in these coordinates, and a share of the way along a ray."""

@@ -24,7 +24,7 @@ from symhaptic.book.lemmas.linear_rays import (
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
-from symhaptic.model.circle import expanded, powers
+from symhaptic.model.circle import powers
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import CONSTANT, SMALL, on_boundary_at, second_order
 from symhaptic.proof.theorems.analysis import grows

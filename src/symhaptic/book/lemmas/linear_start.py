@@ -3,7 +3,6 @@
 from symhaptic.book.lemmas.arm_numbers import ARM, NUMBERS, TOTAL, signs, together
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model.circle import expanded
 from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
 
 GIVEN = (*ARM[1:], gamma * delta > 0, d >= 0)

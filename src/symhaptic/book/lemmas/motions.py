@@ -2,7 +2,6 @@
 
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.proof.theorems.definitions import gains
 
 Motion: TypeAlias = Sequence[tuple[Any, Any]]
 

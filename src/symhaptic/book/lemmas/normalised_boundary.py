@@ -4,12 +4,11 @@ from symhaptic.book.lemmas.passive_boundary import on_boundary
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import DELAY
 from symhaptic.book.lemmas.upper_boundary import upper_boundary
-from symhaptic.notation import b, omega_hat
+from symhaptic.notation import omega_hat
 from symhaptic.paper.propositions.device import normalised
-from symhaptic.paper.propositions.passivity import printed_of
 
 TABLE = normalised(alpha, beta, delta)
-CURVE = printed_of("eq27")
+CURVE = transcribed("eq27")
 ON_CURVE = Exists((omega_hat,), both([omega_hat > 0, omega_hat < pi, *CURVE]))
 """A wall is one of (27)."""
 
@@ -17,8 +16,8 @@ ON_CURVE = Exists((omega_hat,), both([omega_hat > 0, omega_hat < pi, *CURVE]))
 def in_units() -> Theorem:
     """A wall of (27) is on the boundary, by Table I and for omega_hat <= pi/(d+1)."""
     stiff, damped, lossy, spring, damper = map(assume, (*TABLE, *CURVE))
-    known = inst(on_boundary(*map(assume, printed_of("eq7"))), {omega: omega_hat / T})
-    stiffness, damping = (line.subs(omega, omega_hat / T) for line in printed_of("eq7"))
+    known = inst(on_boundary(*map(assume, transcribed("eq7"))), {omega: omega_hat / T})
+    stiffness, damping = (line.subs(omega, omega_hat / T) for line in transcribed("eq7"))
     wall = [
         combined(stiffness, [stiff, -m / T**2], [_damped(spring, lossy), m / T**2]),
         combined(damping, [damped, -m / T], [_damped(damper, lossy), m / T]),
@@ -38,7 +37,7 @@ def _damped(line: Theorem, lossy: Theorem) -> Theorem:
 def above_in_units(wanted: Any) -> Theorem:
     """A wall of the boundary with B > b d/(2d+3), d > 0, is one of (27) at omega_hat = omega T."""
     inside = [omega > 0, omega < pi / T]
-    found = upper_boundary(Exists((omega,), both([*inside, *printed_of("eq7")])))
+    found = upper_boundary(Exists((omega,), both([*inside, *transcribed("eq7")])))
     low, high, *lines = map(assume, found.conclusion.body.of)  # type: ignore[attr-defined]
     *table, lossy = map(assume, TABLE)
     here = Given(T > 0, m > 0, low, high)

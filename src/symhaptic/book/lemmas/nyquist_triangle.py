@@ -145,15 +145,14 @@ def other_shape_and_size() -> Theorem:
 def hardly_moved() -> Theorem:
     """The triangle for every damper of (23), and that its sides move by less than 0.05."""
     shape, sides = CLAIMED["s5c-delta-hardly-visible"](()).parts
-    symbols, given, _ = taken_apart(shape)
-    kept = for_all(symbols, given, add_assum(is_triangle(), *given))
-    symbols, given, goals = taken_apart(sides)
+    kept = as_claimed(shape, is_triangle())
+    goals = taken_apart(sides)[2]
     known = []
     for goal in conjuncts(goals):
         gap = goal.right - goal.left  # type: ignore[attr-defined]
         known.append(combined(goal, [on_plain_box(box.positive(gap, {delta: (0, DAMPED)}))]))
     ends = positive(delta >= 0, delta > 0)
-    moved = for_all(symbols, given, add_assum(closed(conj(*known), ends), *given))
+    moved = as_claimed(sides, closed(conj(*known), ends))
     return conj(kept, moved)
 
 

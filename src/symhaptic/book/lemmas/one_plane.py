@@ -40,15 +40,13 @@ def _same(theorem: Theorem) -> list[Theorem]:
 def stable_curve() -> Theorem:
     """What is said of the curve of stable walls, for an integer delay and every plant."""
     exact, never = solid().of  # type: ignore[attr-defined]
-    walls, inside, _ = taken_apart(exact)
-    on_it = for_all(walls, inside, add_assum(zero_on_circle_is_explicit(), *inside))
+    on_it = as_claimed(exact, zero_on_circle_is_explicit())
     readings = loop_of_device(NUMBERS, LOOP)
     loop = conjunct(readings, readings.conclusion.parts[1])
     zeros = loop.conclusion.parts[1].terms[0]
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
     none = denied_by(loop, closed(zero_on_circle(zeros, z, theta, assume(at_angle())), *steps))
-    walls, inside, _ = taken_apart(never)
-    return conj(on_it, for_all(walls, inside, add_assum(closed(none, *steps), *inside)))
+    return conj(on_it, as_claimed(never, closed(none, *steps)))
 
 
 @cache
@@ -73,37 +71,37 @@ def right_of_the_line() -> Theorem:
 def in_one_plane() -> Theorem:
     """Fig. 11."""
     drawn, region = CLAIMED["fig11"](()).of  # type: ignore[attr-defined]
-    symbols, given, then = taken_apart(drawn)
+    _, given, then = taken_apart(drawn)
     arm = {gamma: STIFF, delta: DAMPED}
     curve, *_, left = then.of  # type: ignore[attr-defined]
     line = numbers_known(inst(right_of_the_line(), arm))
     line = for_all(left.over, [left.body.of[0]], line)
     curves = (stable_curve(), enclosed_walls_are_stable())
     found = conj(passive_curve(curve), *(inst(t, arm) for t in curves), line)
-    shown = for_all(symbols, given, add_assum(_at_each(found, given[0]), *given))
-    walls, inside, _ = taken_apart(region)
+    shown = as_claimed(drawn, _at_each(found, given[0]))
+    inside = taken_apart(region)[1]
     stable = _at_each(numbers_known(inst(held_passive_is_stable(), arm)), inside[0])
-    return conj(shown, for_all(walls, inside, add_assum(stable, *inside)))
+    return conj(shown, as_claimed(region, stable))
 
 
 @cache
 def up_to_nyquist() -> Theorem:
     """Fig. 13."""
     drawn, region = CLAIMED["fig13"](()).of  # type: ignore[attr-defined]
-    symbols, given, then = taken_apart(drawn)
+    _, given, then = taken_apart(drawn)
     curves = conj(stable_curve(), enclosed_walls_are_stable())
     found = []
     for claim, damper in zip(then.of, (DAMPED, S.Zero), strict=True):  # type: ignore[attr-defined]
         springs = claim.body.of[0].of
         found.append(for_all([gamma], springs, add_assum(inst(curves, {delta: damper}), *springs)))
-    shown = for_all(symbols, given, add_assum(_at_each(conj(*found), given[0]), *given))
-    walls, inside, robust = taken_apart(region)
+    shown = as_claimed(drawn, _at_each(conj(*found), given[0]))
+    _, inside, robust = taken_apart(region)
     springs = robust.body.of[0].of  # type: ignore[attr-defined]
     stable = closed(passive_wall_is_stable(), positive(alpha + gamma > 0, alpha > 0, gamma >= 0))
     stable = numbers_known(inst(stable, {delta: DAMPED}))
     stable = for_all([gamma], springs, add_assum(stable, *springs))
     stable = _at_each(stable, inside[0])
-    return conj(shown, for_all(walls, inside, add_assum(stable, *inside)))
+    return conj(shown, as_claimed(region, stable))
 
 
 def _at_each(theorem: Theorem, delays: Any) -> Theorem:

@@ -19,19 +19,19 @@ ANGLE = omega * T / 2
 
 BELOW = DELAY.and_(omega > 0, omega < pi / (T * (d + 1)))
 """Below the end of the envelope."""
-FULL = ANGLE * (2 * d + 2)
+TURNS = ANGLE * (2 * d + 2)
 
 
 def inside(stiffness: Theorem, damping: Theorem) -> Theorem:
     """A wall of (7) with 0 < omega T < pi/(d+1) is on the boundary."""
-    turn = BELOW.show(pi > FULL, degree=3)
+    turn = BELOW.show(pi > TURNS, degree=3)
     here = BELOW.and_(turn)
     found = here.closed(inst(on_envelope(), {**TWICE, psi: phi}))
     always = on_first_half(measured(stiffness, damping, [assume(b >= 0), found]))
     shared = here.closed(inst(wide(phi), TWICE))
-    up = here.closed(weak_sine(FULL))
-    above = 8 * (d + 1) * sin(ANGLE) ** 2 * sin(FULL)
-    below = T * ((2 * d + 2) * sin(omega * T) - sin(2 * FULL))
+    up = here.closed(weak_sine(TURNS))
+    above = 8 * (d + 1) * sin(ANGLE) ** 2 * sin(TURNS)
+    below = T * ((2 * d + 2) * sin(omega * T) - sin(2 * TURNS))
     slope = here.show(above / below >= 0, up, square(sin(ANGLE)), shared)
     pushes = combined(K >= 0, [assume(b >= 0), slope], [stiffness, -S.One])
     passive = closed(sufficient(), always, here.closed(pushes, shared))
@@ -42,8 +42,8 @@ def inside(stiffness: Theorem, damping: Theorem) -> Theorem:
 
 def _least(there: Theorem, stiffness: Theorem, damping: Theorem) -> Theorem:
     """b <= x for the damping x of a passive wall of (7), from its margin at its own angle."""
-    of_stiffness = T / 2 * (cos(FULL) - cos(ANGLE) * sin(FULL) / sin(ANGLE))
-    return combined(b <= x, [there], [stiffness, of_stiffness], [damping, cos(FULL)])
+    of_stiffness = T / 2 * (cos(TURNS) - cos(ANGLE) * sin(TURNS) / sin(ANGLE))
+    return combined(b <= x, [there], [stiffness, of_stiffness], [damping, cos(TURNS)])
 
 
 def _sine() -> Theorem:

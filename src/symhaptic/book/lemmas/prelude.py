@@ -34,8 +34,11 @@ from sympy import (
     tan,
 )
 
-from symhaptic.model.parts import Parts
+from symhaptic.model import boundary, fractional, passivity, plant
+from symhaptic.model.circle import expanded
+from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.passivity import mirror, on_circle, real_part
+from symhaptic.model.plant import Plant, Sampled
 from symhaptic.notation import (
     B,
     F,
@@ -111,10 +114,19 @@ from symhaptic.notation.proposition import (
     proposition,
     whole,
 )
+from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.prelude import transcribed
 from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
+from symhaptic.paper.reading import read
 from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.analysis import above_its_start, in_the_limit, increases, induction
+from symhaptic.proof.theorems.analysis import (
+    above_its_start,
+    in_the_limit,
+    increases,
+    induction,
+)
+from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.familiar import (
     axiom,
     both_ways,
@@ -190,6 +202,7 @@ from symhaptic.proof.theorems.roots import (
     zero_on_circle,
 )
 from symhaptic.proof.theorems.tactics import (
+    as_claimed,
     at,
     by_contradiction,
     by_multiple,

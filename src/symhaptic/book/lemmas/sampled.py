@@ -2,8 +2,7 @@
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import definitions, explicit, renamed, unnamed
-from symhaptic.model.plant import Plant
-from symhaptic.notation import X_d, b, d_1, d_2
+from symhaptic.notation import X_d, d_1, d_2
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.familiar import in_units, shifted
 from symhaptic.proof.theorems.samples import held_answer, one_answer, turns
@@ -183,7 +182,7 @@ def loop_claim(
 
 
 def _claimed(claim: Proposition, conditions: Sequence[Any], found: Theorem) -> Theorem:
-    symbols, given, _ = taken_apart(claim)
+    given = taken_apart(claim)[1]
     names = definitions(given)
     known = [assume(c) for c in map(proposition, conditions) if isinstance(c, Relation)]
     apart = [t for c in known for t in unnamed(c, *names)]
@@ -192,4 +191,4 @@ def _claimed(claim: Proposition, conditions: Sequence[Any], found: Theorem) -> T
         scale = closed(over(1 / m > 0, one(), m > 0), mass)
         apart.append(positive(Ne(SPRING, 0), [Ne(k, 0), T > 0, T > 0, scale]))
     found = closed(found, mass, period, *apart)
-    return for_all(symbols, [*given, *conditions], add_assum(found, *given))
+    return as_claimed(claim, found, *conditions)

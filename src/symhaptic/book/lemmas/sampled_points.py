@@ -73,5 +73,5 @@ def fails(
 def shown_at(claim: Proposition, point: Mapping[Symbol, Any], *conditions: Any) -> Case:
     """A point at which the hypotheses of a claim about a device hold, and conditions."""
     values, answers = completed(claim, point)
-    _, given, _ = taken_apart(claim)
+    given = taken_apart(claim)[1]
     return example(values, [*given, *conditions], *answers)

@@ -156,16 +156,15 @@ def lighter_hands() -> Theorem:
     apart = [positive(Ne(t.conclusion.right, 0), [t]) for t in masses]  # type: ignore[attr-defined]
     same = [identity(wall * rest, wall * rest) for wall in (K, B)]
     found = closed(found, zero, *same, *masses, *apart)
-    symbols, given, _ = taken_apart(walls)
-    kept = for_all(symbols, given, add_assum(found, *given))
-    symbols, given, less = taken_apart(rises)
+    kept = as_claimed(walls, found)
+    less = taken_apart(rises)[2]
     lost = positive(m_H * (1 - LIGHTER) * (HEAVY - m_D) > 0, [m_H > 0, LIGHTER < 1, m_D < HEAVY])
     more = positive(HEAVY + m_H > 0, [m_D < HEAVY], [m_D > 0], [m_H > 0])
     size = combined((HEAVY + m_H) * heavy > 0, [more, masses[0]])
     top, bottom = lost.conclusion.right, size.conclusion.right  # type: ignore[attr-defined]
     gap = combined(less, [over(top / bottom > 0, lost, size)])
     apart = [positive(Ne(t.conclusion.right, 0), [t]) for t in (more, masses[0], size)]  # type: ignore[attr-defined]
-    steep = for_all(symbols, given, add_assum(closed(gap, *apart), *given))
+    steep = as_claimed(rises, closed(gap, *apart))
     return conj(kept, steep)
 
 

@@ -89,16 +89,15 @@ def _renamed(theorem: Theorem, to: Symbol) -> Theorem:
 @cache
 def springs_alike() -> Theorem:
     """Two springs of (23) have the same stable walls, within THICK of each coordinate."""
-    symbols, given, walls = taken_apart(alike())
+    walls = taken_apart(alike())[2]
     parts = []
     for claim, made in zip(walls.body.of, (kept, filled), strict=True):  # type: ignore[attr-defined]
         parts.append(disch(both_orders(made), claim.of[0]))
     inner = gen(conj(*parts), alpha, beta)
-    return for_all(symbols, given, add_assum(inner, *given))
+    return as_claimed(alike(), inner)
 
 
 @cache
 def line_and_curve() -> Theorem:
     """The stable walls lie above beta = -1, between alpha = -gamma and the curve."""
-    symbols, given, _ = taken_apart(between_line_and_curve())
-    return for_all(symbols, given, add_assum(between(), *given))
+    return as_claimed(between_line_and_curve(), between())

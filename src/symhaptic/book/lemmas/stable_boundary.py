@@ -3,7 +3,6 @@
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Block, Later, not_zero
 from symhaptic.forms.device_forms import made_of
-from symhaptic.model.plant import Sampled
 
 TURN = exp(I * theta)
 INSIDE = tuple(map(proposition, (theta > 0, theta < pi)))

@@ -8,8 +8,6 @@ from symhaptic.forms.entire import written_out
 from symhaptic.forms.fractional_delay import Brief
 from symhaptic.forms.response import closed
 from symhaptic.model import loop
-from symhaptic.model.parts import FULL
-from symhaptic.model.plant import Sampled
 
 DELAY = 2
 """Forms that are made for one integer delay are shown for this one."""

@@ -3,11 +3,10 @@
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import largest_of
 from symhaptic.book.lemmas.stiffest_stable import Ranges, no_stiffer, numbers_known, stable_wall
-from symhaptic.paper.propositions.passivity import printed_of
 from symhaptic.paper.propositions.ratio import ARM, WALL
 
 Wall: TypeAlias = tuple[Expr, Expr]
-ELEVEN = printed_of("eq11")
+ELEVEN = transcribed("eq11")
 
 UNDELAYED: Wall = (
     Rational("0.68") + Rational("1.604") * delta,
@@ -101,13 +100,13 @@ def passive_beside_stable(claim: Proposition, delay: int, printed: Any) -> Theor
 
 def of_ratio(claim: Proposition, delay: int, wall: Wall) -> Theorem:
     """How much stiffer a stable wall can be than a passive one, at least and at most."""
-    symbols, given, then = taken_apart(claim)
+    then = taken_apart(claim)[2]
     more, digits = conjuncts(then)
     found = conj(
         stable_beside_passive(more, delay, wall, RANGES, ELEVEN),
         passive_beside_stable(digits, delay, ELEVEN),
     )
-    return for_all(symbols, given, add_assum(found, *given))
+    return as_claimed(claim, found)
 
 
 @cache
@@ -118,7 +117,7 @@ def one_period() -> Theorem:
 
 def of_delay(claim: Proposition) -> Theorem:
     """How much of the stable stiffness one period of delay leaves, at most and at least."""
-    symbols, given, then = taken_apart(claim)
+    then = taken_apart(claim)[2]
     below, digits = conjuncts(then)
     first = no_stiffer(1, (Rational("0.22") * UNDELAYED[0], Rational("0.424")), RANGES)
     stable = stable_wall(0, UNDELAYED, RANGES)
@@ -128,4 +127,4 @@ def of_delay(claim: Proposition) -> Theorem:
     most = inst(no_stiffer(0, CORNER[0], HERE), ARM)
     late, most = map(numbers_known, (late, most))
     found = conj(less, beside(digits, late, best, from_bound(most)))
-    return for_all(symbols, given, add_assum(found, *given))
+    return as_claimed(claim, found)

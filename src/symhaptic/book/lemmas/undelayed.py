@@ -3,7 +3,6 @@
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.model import passivity
 from symhaptic.paper.propositions.passivity import SIX
 
 BORDER = K * T / 2 + Abs(B)

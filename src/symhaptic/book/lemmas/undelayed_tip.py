@@ -109,12 +109,12 @@ def all_softer() -> Theorem:
 @cache
 def closed_form() -> Theorem:
     """Both."""
-    symbols, given, plants = taken_apart(claim())
-    numbers, known, then = taken_apart(plants)
+    plants = taken_apart(claim())[2]
+    then = taken_apart(plants)[2]
     most, reached = then.of  # type: ignore[attr-defined]
     parts = [
         for_all((alpha, beta), [most.body.of[0]], none_stiffer()),
         for_all((alpha,), conjuncts(reached.body.of[0]), all_softer()),
     ]
-    found = for_all(numbers, known, add_assum(conj(*parts), *known))
-    return for_all(symbols, given, add_assum(found, *given))
+    found = as_claimed(plants, conj(*parts))
+    return as_claimed(claim(), found)

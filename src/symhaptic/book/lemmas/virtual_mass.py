@@ -6,7 +6,7 @@ from symhaptic.book.lemmas.decided import decided_by
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import PI, cosine_bounds
-from symhaptic.notation import b, m_v
+from symhaptic.notation import m_v
 from symhaptic.proof.theorems.energy import toeplitz
 from symhaptic.rules.other_loops import FREELY, HEAVY
 

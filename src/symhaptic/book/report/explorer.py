@@ -61,7 +61,7 @@ CHAPTERS = {
     "rules:twice-damping": "s8a_twice_the_damping",
     "rules:damping-over-delay": "s8b_damping_over_delay",
     "rules:four-masses": "s8c_four_masses",
-    "rules:two-masses": "s8d_two_masses",
+    "rules:two-masses": "s8c_four_masses",
     "rules:damped-contact": "s8e_damped_contact",
     "rules:euler-for-devices": "s10c_simulators",
     "rules:two-dampings": "s10d_measured_velocity",

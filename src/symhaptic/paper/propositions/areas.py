@@ -6,9 +6,10 @@ the other. All is said of integer delays and numbers for the arm.
 
 from __future__ import annotations
 
+import tomllib
+from importlib.resources import files
 from typing import TypeAlias
 
-from symhaptic.paper.propositions.comparison import transcribed
 from symhaptic.paper.propositions.prelude import *
 from symhaptic.paper.propositions.ratio import ARM, stable
 from symhaptic.paper.propositions.stability import HEAVIER
@@ -18,144 +19,20 @@ Wall: TypeAlias = tuple[Rational, Rational]
 Side: TypeAlias = tuple[Rational, Rational, Rational]
 """p, q and c of the side p alpha + q beta <= c."""
 
-INNER_ = {
-    0: (
-        ("-0.0009", "-0.0179"),
-        ("0.606", "0.479"),
-        ("0.703", "0.823"),
-        ("0.566", "1.3"),
-        ("-0.0009", "1.99"),
-    ),
-    1: (
-        ("-0.0009", "-0.0188"),
-        ("0.133", "0.271"),
-        ("0.152", "0.422"),
-        ("0.12", "0.616"),
-        ("-0.0009", "0.827"),
-    ),
-    2: (
-        ("-0.0009", "-0.0197"),
-        ("0.0594", "0.188"),
-        ("0.0677", "0.289"),
-        ("0.0528", "0.415"),
-        ("-0.0009", "0.538"),
-    ),
-    3: (
-        ("-0.0009", "-0.0206"),
-        ("0.034", "0.143"),
-        ("0.0388", "0.221"),
-        ("0.0301", "0.315"),
-        ("-0.0009", "0.403"),
-    ),
-    4: (
-        ("-0.0009", "-0.0215"),
-        ("0.0222", "0.114"),
-        ("0.0253", "0.178"),
-        ("0.0196", "0.255"),
-        ("-0.0009", "0.323"),
-    ),
-    5: (
-        ("-0.0009", "-0.0224"),
-        ("0.0157", "0.0948"),
-        ("0.018", "0.149"),
-        ("0.0138", "0.214"),
-        ("-0.0009", "0.27"),
-    ),
-    6: (
-        ("-0.0009", "-0.0233"),
-        ("0.0118", "0.0804"),
-        ("0.0135", "0.128"),
-        ("0.0103", "0.185"),
-        ("-0.0009", "0.233"),
-    ),
-    7: (
-        ("-0.0009", "-0.0242"),
-        ("0.00918", "0.0693"),
-        ("0.0106", "0.112"),
-        ("0.00801", "0.163"),
-        ("-0.0009", "0.205"),
-    ),
-    8: (
-        ("-0.0009", "-0.0251"),
-        ("0.00738", "0.0604"),
-        ("0.00851", "0.0996"),
-        ("0.00641", "0.145"),
-        ("-0.0009", "0.183"),
-    ),
-}
-"""Corners of polygons of stable walls, for the arm of Figs. 11 and 12, by the delay."""
-
-OUTER_ = {
-    1: (
-        ("0.498", "-1.0", "0.02102"),
-        ("1.0", "-0.0171", "0.1472306"),
-        ("1.0", "0", "0.1543617"),
-        ("1.0", "0.341", "0.3326467"),
-        ("1.0", "0.732", "0.6167551"),
-    ),
-    2: (
-        ("0.998", "-1.0", "0.02152"),
-        ("1.0", "-0.0376", "0.0581705"),
-        ("1.0", "0", "0.0686323"),
-        ("1.0", "0.248", "0.1571415"),
-        ("1.0", "0.578", "0.3167449"),
-    ),
-    3: (
-        ("1.498", "-1.0", "0.02202"),
-        ("1.0", "-0.0377", "0.0313942"),
-        ("1.0", "0", "0.0392841"),
-        ("1.0", "0.197", "0.0929272"),
-        ("1.0", "0.481", "0.1966732"),
-    ),
-    4: (
-        ("1.998", "-1.0", "0.02252"),
-        ("1.0", "-0.0361", "0.0196445"),
-        ("1.0", "0", "0.0256789"),
-        ("1.0", "0.164", "0.0618223"),
-        ("1.0", "0.415", "0.135733"),
-    ),
-    5: (
-        ("2.498", "-1.0", "0.02302"),
-        ("1.0", "-0.0344", "0.0134573"),
-        ("1.0", "0", "0.0182255"),
-        ("1.0", "0.141", "0.0443346"),
-        ("1.0", "0.368", "0.1004508"),
-    ),
-    6: (
-        ("2.998", "-1.0", "0.02352"),
-        ("1.0", "-0.0331", "0.009781"),
-        ("1.0", "0", "0.0136814"),
-        ("1.0", "0.125", "0.0336625"),
-        ("1.0", "0.333", "0.0780675"),
-    ),
-    7: (
-        ("3.498", "-1.0", "0.02402"),
-        ("1.0", "-0.0321", "0.0074225"),
-        ("1.0", "0", "0.0106962"),
-        ("1.0", "0.112", "0.0264284"),
-        ("1.0", "0.306", "0.0628998"),
-    ),
-    8: (
-        ("3.998", "-1.0", "0.02452"),
-        ("1.0", "-0.0312", "0.0058318"),
-        ("1.0", "0", "0.0086241"),
-        ("1.0", "0.103", "0.0215486"),
-        ("1.0", "0.285", "0.0521746"),
-    ),
-}
-"""Sides of polygons that hold all stable walls right of alpha = -gamma, counterclockwise."""
+POLYGONS = tomllib.loads(files(__package__).joinpath("polygons.toml").read_text(encoding="utf-8"))
+"""Their corners and sides, as decimals."""
 
 Corners: TypeAlias = Sequence[Wall]
 
 
 def inner(delay: int) -> tuple[Wall, ...]:
     """The corners of a polygon of stable walls, counterclockwise."""
-    return tuple((Rational(x), Rational(y)) for x, y in INNER_[delay])
+    return tuple((Rational(x), Rational(y)) for x, y in POLYGONS["inner"][str(delay)])
 
 
 def outer(delay: int) -> tuple[Side, ...]:
     """The sides of a polygon that holds all stable walls, the left one first."""
-    rest = ((Rational(p), Rational(q), Rational(c)) for p, q, c in OUTER_[delay])
+    rest = ((Rational(p), Rational(q), Rational(c)) for p, q, c in POLYGONS["outer"][str(delay)])
     return ((-S.One, S.Zero, STIFF), *rest)
 
 

@@ -8,7 +8,6 @@ import sympy as sp
 
 from symhaptic.notation import second
 from symhaptic.paper import tables
-from symhaptic.paper.propositions.device import transcribed
 from symhaptic.paper.propositions.prelude import *
 
 ARM = (T, m_D, m_H, b_D, b_H, k_H)

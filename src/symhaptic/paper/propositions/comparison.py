@@ -11,7 +11,7 @@ import sympy as sp
 
 from symhaptic.notation import x, y
 from symhaptic.notation.proposition import whole
-from symhaptic.paper.equations import EQUATIONS
+from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.digits import bounds, example, number, quoted
 from symhaptic.paper.propositions.passivity import ABOVE, BORDER, WALL, at_every_frequency
@@ -25,7 +25,7 @@ STABLE = Predicate("stable_substituted", (), LOOP)
 
 def passive(scale: sp.Expr = sp.S.One) -> Proposition:
     """(5) at every frequency, of the wall and the damping times ``scale``."""
-    [five] = next(s for s in EQUATIONS if s.id == "eq5").printed
+    [five] = STATEMENTS["eq5"].printed
     units = {K: scale * alpha, B: scale * beta, b: scale * delta, T: sp.S.One}
     return at_every_frequency(five).at(units)
 
@@ -98,11 +98,6 @@ def _stiffness_turned_down(printed: Printed) -> Proposition:
 DEVICE = (m, b, k, omega)
 SWINGS = Predicate("swings", (), DEVICE)
 """The device m x'' + b x' + k x = 0 swings with omega."""
-
-
-def transcribed(id: str) -> Printed:
-    """An equation of the paper, as it is printed."""
-    return next(s for s in EQUATIONS if s.id == id).printed
 
 
 @claims("eq28")

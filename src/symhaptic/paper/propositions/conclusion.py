@@ -6,7 +6,7 @@ import sympy as sp
 
 from symhaptic.notation import x, y
 from symhaptic.notation.proposition import whole
-from symhaptic.paper.propositions.comparison import ABOUT, DAMPED, SWINGS, transcribed
+from symhaptic.paper.propositions.comparison import ABOUT, DAMPED, SWINGS
 from symhaptic.paper.propositions.digits import number, quoted
 from symhaptic.paper.propositions.passivity import FIVE, WALL, at_every_frequency
 from symhaptic.paper.propositions.prelude import *

@@ -10,9 +10,7 @@ from __future__ import annotations
 import sympy as sp
 
 from symhaptic.notation import F_E, T_s, X, X_d, c_1, c_2, c_3, d_1, d_2, function
-from symhaptic.paper.equations import EQUATIONS
 from symhaptic.paper.propositions.prelude import *
-from symhaptic.paper.tables import TABLES
 
 DEVICE = (m, b, k, T)
 GIVEN = (T > 0, m > 0, b >= 0, k >= 0)
@@ -23,11 +21,6 @@ p, q = Symbol("p"), Symbol("q")
 def whole(value: Expr) -> Predicate:
     """``value`` is a whole number, zero included."""
     return Predicate("whole", (), (value,))
-
-
-def transcribed(id: str) -> Printed:
-    """Another equation of the paper, as it is printed."""
-    return next(e.printed for e in (*EQUATIONS, *TABLES) if e.id == id)
 
 
 TABLE = {rule.lhs: rule for rule in transcribed("tab1")}

@@ -10,15 +10,14 @@ from collections.abc import Callable
 
 from sympy import Expr, Rational, Symbol
 
-from symhaptic.paper.claims import CLAIMS
-from symhaptic.paper.equations import EQUATIONS
+from symhaptic.paper import STATEMENTS
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import read
 
 
 def quoted(id: str) -> tuple[Quoted, ...]:
     """The numbers that a statement quotes, in its order."""
-    return next(s.quoted for s in (*CLAIMS, *EQUATIONS) if s.id == id)
+    return STATEMENTS[id].quoted
 
 
 def number(of: Quoted, units: int = 0) -> Rational:
@@ -51,6 +50,6 @@ def example(id: str) -> dict[Symbol, Expr]:
     >>> example("eq31")
     {m: 1/10, T: 1/1000}
     """
-    [domain] = (s.domain for s in EQUATIONS if s.id == id)
+    domain = STATEMENTS[id].domain
     plain = re.sub(r"\\text\{[^{}]*\}", "", domain)
     return {line.lhs: line.rhs for part in plain.split(r",\ ") for line in read(part)}

@@ -14,7 +14,7 @@ import sympy as sp
 from symhaptic.notation import t_e, x
 from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.paper.propositions.device import normalised, transcribed
+from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.passivity import PASSIVE
 from symhaptic.paper.propositions.prelude import *
 

@@ -13,7 +13,6 @@ import sympy as sp
 
 from symhaptic.notation import alpha_lin, x, y
 from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.paper.propositions.device import transcribed
 from symhaptic.paper.propositions.linear import LATE, on_the_line_of_25
 from symhaptic.paper.propositions.prelude import *
 from symhaptic.paper.ranges import DAMPED

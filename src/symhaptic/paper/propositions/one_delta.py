@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from symhaptic.notation import x, y
 from symhaptic.notation.proposition import whole
-from symhaptic.paper.propositions.comparison import STABLE, passive, transcribed
+from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.paper.propositions.digits import number, quoted
 from symhaptic.paper.propositions.passivity import FIVE, PASSIVE, at_every_frequency
 from symhaptic.paper.propositions.prelude import *

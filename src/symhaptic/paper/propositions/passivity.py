@@ -5,17 +5,17 @@ from __future__ import annotations
 import sympy as sp
 
 from symhaptic.notation import x, y
-from symhaptic.paper.equations import EQUATIONS
-from symhaptic.paper.figures import DELAYS
+from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions.digits import bounds, quoted
 from symhaptic.paper.propositions.prelude import *
+from symhaptic.paper.tables import DELAYS
 
 WALL = (K, B, b, T, d)
 LOOP = (T > 0, b >= 0, d >= 0)
 PASSIVE = Predicate("passive_wall", (), WALL)
 
 
-[FIVE] = next(s.printed for s in EQUATIONS if s.id == "eq5")
+[FIVE] = STATEMENTS["eq5"].printed
 
 
 def at_every_frequency(*conditions: sp.Expr | Proposition) -> Proposition:
@@ -140,11 +140,6 @@ def _wall_is_the_stiffest(printed: Printed) -> Proposition:
     return ForAll(WALL, implied([*LOOP, *printed], STIFFEST))
 
 
-def printed_of(id: str) -> Printed:
-    """The print of another equation, to which a text refers."""
-    return next(s.printed for s in EQUATIONS if s.id == id)
-
-
 def tends(expr: sp.Expr, variable: sp.Symbol, at: object, to: sp.Expr) -> Predicate:
     """The limit of an expression."""
     return Predicate("limit", (variable,), (expr, sp.sympify(at), to))
@@ -153,7 +148,7 @@ def tends(expr: sp.Expr, variable: sp.Symbol, at: object, to: sp.Expr) -> Predic
 @claims("s3c-lower-part")
 def _lower_part(printed: Printed) -> Proposition:
     """On the line (8) the condition is just met at low frequencies, and (7) tends to its points."""
-    curve, line = (printed_of(id) for id in ("eq7", "eq8"))
+    curve, line = (transcribed(id) for id in ("eq7", "eq8"))
     limits = [tends(c.rhs, omega, 0, e.rhs) for c, e in zip(curve, line, strict=True)]
     along = [proposition(e).at({y: x}) for e in line]
     margin = b - FIVE.rhs
@@ -170,7 +165,7 @@ def _damping_does_nothing(printed: Printed) -> Proposition:
     coefficient = sp.diff(need, B)
     none = proposition(sp.Eq(coefficient, 0))
     first = ForAll((x,), implied([x > 0, x < omega], sp.Ne(coefficient.subs(omega, x), 0)))
-    largest = printed_of("eq11")[0]
+    largest = transcribed("eq11")[0]
     touched = ForAll((K, B, b), implied([b >= 0, largest], sp.Eq(b, need)))
     inside = omega > 0, omega < sp.pi / T
     given = [T > 0, d >= 0, *printed]
@@ -256,7 +251,7 @@ def _curves_of_the_figure(printed: Printed) -> Proposition:
     Without delay the upper part is that of (6), of which (7) is one wall.
     """
     delays = Or(tuple(proposition(sp.Eq(d, sp.Rational(text))) for text in DELAYS))
-    curve, line, tip = (printed_of(id) for id in ("eq7", "eq8", "eq11"))
+    curve, line, tip = (transcribed(id) for id in ("eq7", "eq8", "eq11"))
     arc = both([omega > 0, omega < sp.pi / T, omega <= sp.pi / (T * (d + 1)), *curve])
     straight = both([y >= 0, y <= 1, *line])
     then = [
@@ -271,5 +266,5 @@ def _curves_of_the_figure(printed: Printed) -> Proposition:
 def _stiffness_over_delay(printed: Printed) -> Proposition:
     """The curve is KT/b of (11), and that wall is the stiffest."""
     height = sp.Eq(K * T, 2 * b * sp.tan(sp.pi / (4 * (d + 1))))
-    given = [*LOOP, *printed_of("eq11")]
+    given = [*LOOP, *transcribed("eq11")]
     return ForAll(WALL, implied(given, both([height, STIFFEST])))

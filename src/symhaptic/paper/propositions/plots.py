@@ -10,12 +10,10 @@ from typing import Any
 
 import sympy as sp
 
-from symhaptic.paper.figures import DELAYS
 from symhaptic.paper.propositions.comparison import (
     COMES_TO_REST,
     PASSIVE_WALL,
     STABLE,
-    transcribed,
 )
 from symhaptic.paper.propositions.linear import on_the_line_of_25
 from symhaptic.paper.propositions.passivity import ABOVE, BORDER
@@ -30,6 +28,7 @@ from symhaptic.paper.propositions.stability import (
     on_boundary,
 )
 from symhaptic.paper.ranges import DAMPED
+from symhaptic.paper.tables import DELAYS
 
 OTHER = Symbol("gamma'")
 """Another spring."""

@@ -48,6 +48,12 @@ from symhaptic.notation.proposition import (
     implied,
     proposition,
 )
+from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.ranges import STIFF
 from symhaptic.paper.reading import Printed
+
+
+def transcribed(id: str) -> Printed:
+    """Another equation of the paper, as it is printed."""
+    return STATEMENTS[id].printed

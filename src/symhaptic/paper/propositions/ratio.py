@@ -16,7 +16,7 @@ import sympy as sp
 
 from symhaptic.notation import x, y
 from symhaptic.notation.proposition import Terms, whole
-from symhaptic.paper.propositions.comparison import STABLE, transcribed
+from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.digits import number, quoted
 from symhaptic.paper.propositions.passivity import PASSIVE
 from symhaptic.paper.propositions.prelude import *

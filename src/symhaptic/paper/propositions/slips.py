@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from symhaptic.paper.propositions.device import transcribed
 from symhaptic.paper.propositions.prelude import *
 
 END = Rational(1, 50)

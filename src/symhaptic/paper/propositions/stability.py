@@ -10,7 +10,7 @@ import sympy as sp
 from sympy import I, cos, exp, sin
 
 from symhaptic.notation.proposition import And, whole
-from symhaptic.paper.propositions.comparison import LOOP, STABLE, transcribed
+from symhaptic.paper.propositions.comparison import LOOP, STABLE
 from symhaptic.paper.propositions.prelude import *
 from symhaptic.paper.ranges import DAMPED
 

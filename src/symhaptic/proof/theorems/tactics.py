@@ -27,6 +27,7 @@ from symhaptic.proof.theorems.judge import Case, taken_apart
 from symhaptic.proof.theorems.kernel import (
     NotShown,
     Theorem,
+    add_assum,
     assume,
     conj,
     conjunct,
@@ -80,6 +81,18 @@ def for_all(symbols: Sequence[Symbol], given: Sequence[Any], theorem: Theorem) -
 def every(symbols: Sequence[Symbol], given: Sequence[Any], then: Any) -> Proposition:
     """The proposition that :func:`for_all` concludes."""
     return ForAll(tuple(symbols), implied(given, then))
+
+
+def as_claimed(claim: Proposition, theorem: Theorem, *more: Any) -> Theorem:
+    """Return a theorem for all values of the claim's symbols under its hypotheses, and more.
+
+    A theorem without hypotheses and free symbols is returned as it is.
+    """
+    if not theorem.hypotheses and not theorem.conclusion.free:
+        return theorem
+    symbols, given, _ = taken_apart(claim)
+    given = (*given, *map(proposition, more))
+    return for_all(symbols, given, add_assum(theorem, *given) if given else theorem)
 
 
 def positive(claim: Any, *products: Any) -> Theorem:
