@@ -115,8 +115,8 @@ def _stiffest(page, *derived):
         stiffest_wall(*map(assume, given[-2:])),
         because=r"by \chapter{s3b_rise} the stiffness of the envelope is smaller on either side of "
         r"this angle. So the margin of this wall, divided by $\cos(d+1)\theta$, changes from "
-        "plus to minus there, and the margin itself is not negative. For larger angles this "
-        "chapter shows it, too. With the step before no passive wall is stiffer",
+        "plus to minus there, and the margin itself is not negative. The same chapter shows it for "
+        "larger angles. With the step before no passive wall is stiffer",
         boxed=True,
     )
     at_half = {d: S.Half, T: S.One, b: S.One}

@@ -8,7 +8,7 @@ from chapters import chapter
 from symhaptic.book.chapters import shipped
 from symhaptic.paper import STATEMENTS
 
-LONGEST = 240
+LONGEST = 250
 """Lines of a chapter, with the lemmas that it alone uses."""
 LONGER = dict.fromkeys(("s4d_left_bound_delayed", "s5a_one_delta", "s6g_next_whole_delay"), 340)
 """Chapters with one long proof each, whose lemmas serve nowhere else."""
@@ -277,7 +277,7 @@ CHAPTERS = [path.stem for path in shipped()]
 def test_chapter_runs_and_is_short(name):
     found = chapter(name)
     assert len(found.path.read_text(encoding="utf-8").splitlines()) < LONGER.get(name, LONGEST)
-    assert re.search(r"\w\?$|\w$", found.title)  # a question or a statement
+    assert re.search(r"[\w$]\??$", found.title)  # a question or a statement
     assert found.introduction
 
 

@@ -27,7 +27,7 @@ def test_a_ledger_is_read(tmp_path):
 
 def test_an_id_stands_once(tmp_path):
     path = written(tmp_path, RECORD, {**RECORD, "verdict": "refuted"})
-    with pytest.raises(NoLedger, match=r"ledger\.json: has the id 'a' 2 times; one record of each"):
+    with pytest.raises(NoLedger, match=r"ledger\.json: has the id 'a' 2 times; give one record"):
         records(path)
 
 

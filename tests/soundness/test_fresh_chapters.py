@@ -490,7 +490,7 @@ def test_a_false_source_has_no_proof(name, settle):
 
 def test_the_same_rightly_is_proved(settle):
     assert settle(statement='("1 = 1",)') == "proved"
-    named = {"statement": r'(r"\ln x = w",), reading=(r"\nu = w",)'}
+    named = {"statement": r'(r"\sin\theta/2 = w",), reading=(r"\nu = w",)'}
     assert (
         settle(**named, chapter='page.define("Own", w, symbols("nu"))\npage.settle("odd:a")')
         == "definition"
