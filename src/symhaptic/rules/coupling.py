@@ -76,7 +76,7 @@ STATEMENTS = {
             "Alternatives considered",
             "of 2.4 kg a device of 0.4 kg leaves 2.0 kg to be rendered",
             (r"2.4 - 0.4 = 2.0",),
-            quote="M_additional = 2.4 − 0.4 = 2.0 kg needs active rendering",
+            quote="M_additional = $2.4 - 0.4 = 2.0$ kg needs active rendering",
         ),
         Statement(
             "coupling:implicit",
@@ -92,7 +92,7 @@ STATEMENTS = {
             (r"B \geq \frac{TK}{2}",),
             condition=True,
             quote="The coupler parameters are chosen per the Adams-Hannaford two-port passivity "
-            "criterion: B_vc ≥ T · K_vc / 2.",
+            r"criterion: $B_{vc} \geq T \cdot K_{vc} / 2$.",
         ),
     )
 }
