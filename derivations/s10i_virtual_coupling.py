@@ -33,7 +33,7 @@ def derive(page):
 def _damper(page):
     """The coupling as a wall: its other end, the simulated mass, is held."""
     page.say(
-        "The device is at $x$, the simulated mass at $x_s$, and the coupling pulls with "
+        "The device is at $x$ and the simulated mass at $x_s$. The coupling pulls with the force "
         "$K(x_s-x)+B(v_s-v)$. A coupling that is passive with every mass is passive with a very "
         "heavy one, which stays where it is. Then the coupling is a wall."
     )

@@ -66,7 +66,6 @@ def nanoseconds(seconds: float) -> str:
 def tables(record: dict[str, Any]) -> list[Table]:
     """All tables of a record, in the order of its sections."""
     return [
-        calls(record["functions"]),
         judges(record["stability"]),
         _floats(record["functions"]),
         _digits(record["functions"]),
