@@ -104,7 +104,7 @@ def test_a_function_is_of_all_that_its_bracket_begins():
     [
         ("eq11", "(11)", "eq11"),
         ("tab2", "Table II", "tab2"),
-        ("rules:four", r"\texttt{\scriptsize rules:four}", "rules.3a.four"),
+        ("rules:four", r"\texttt{\scriptsize rules:\allowbreak four}", "rules.3a.four"),
         ("tablet", r"\texttt{\scriptsize tablet}", "tablet"),
         ("equal_masses", r"\texttt{\scriptsize equal\_masses}", "equal.5f.masses"),
         (

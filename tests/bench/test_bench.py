@@ -321,8 +321,7 @@ def test_the_call_for_an_error_is_the_fastest_that_keeps_it():
         for own, seconds, worst in (({}, 1e-7, 1e-15), (slow, 1e-4, 1e-3))
     ]
     (cells,) = tables.calls(rows).rows
-    assert cells == ("f", "exported C: 100 ns", "exported C: 100 ns", "digits=50: 100 us",
-                     "digits=50: 100 us")  # fmt: skip
+    assert cells == ("f", *["C: 100 ns"] * 2, *["digits=50: 100 us"] * 2)
     rows[-2]["missing"] = 0.1
     assert tables.calls(rows).rows[0][1] == "digits=50: 100 us"
     assert tables.calls(rows[:1]).rows[0][3] == "-"

@@ -22,7 +22,7 @@ def measurement(path: Path) -> section | None:
         return None
     record = records.read(path)
     every = map(_table, tables(record))
-    judges, floats, digits, boundary, times, wrong, models, peers = every
+    calls, judges, floats, digits, boundary, times, wrong, models, peers = every
     says = {name: typeset(text) for name, text in sentences(record).items()}
     return tree.section(
         "Speed against error",
@@ -33,6 +33,7 @@ def measurement(path: Path) -> section | None:
             r"\texttt{symhaptic bench} measures again."
         ),
         tree.paragraph(about(record), " ", record["method"]),
+        *calls,
         *judges,
         tree.rubric("Formulas"),
         _prose(

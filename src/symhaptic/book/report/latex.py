@@ -117,7 +117,7 @@ def referenced(shown: str) -> str:
     """
     if shown.startswith(("(", "Table")):
         return literally(shown)
-    split = (re.split(r"(?<=\b\w{5})(?=\w{9})", word) for word in re.split(r"(?<=-)", shown))
+    split = (re.split(r"(?<=\b\w{5})(?=\w{9})", word) for word in re.split(r"(?<=[-:])", shown))
     breaking = "\\allowbreak ".join("\\penalty1000 ".join(map(literally, w)) for w in split)
     return f"\\texttt{{\\scriptsize {breaking}}}"
 
