@@ -109,7 +109,7 @@ def test_a_function_is_of_all_that_its_bracket_begins():
         ("equal_masses", r"\texttt{\scriptsize equal\_masses}", "equal.5f.masses"),
         (
             "my:5%&#{^~",
-            r"\texttt{\scriptsize my:5\%\&\#\{\^{}\textasciitilde{}}",
+            r"\texttt{\scriptsize my:\allowbreak 5\%\&\#\{\^{}\textasciitilde{}}",
             "my.3a.5.25..26..23..7b..5e..7e.",
         ),
         ("a\\b-c", r"\texttt{\scriptsize a\textbackslash{}b-\allowbreak c}", "a.5c.b-c"),
