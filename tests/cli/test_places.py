@@ -255,6 +255,18 @@ def test_an_empty_place_is_not_the_current_folder(asked, tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.parametrize(
+    "asked",
+    [["verify", "--rocq", "--help"], ["report", "-o", "--check"], ["verify", "--source", "-h"]],
+)
+def test_an_option_is_no_place(asked, tmp_path):
+    """A folder ``--help`` was filled for 20 minutes."""
+    run = symhaptic(*asked, cwd=tmp_path)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert run.stderr == f"symhaptic: error: {' '.join(asked[1:])}: is an option; give a DIR\n"
+    assert not list(tmp_path.iterdir())
+
+
 def closed(streams, *asked):
     """The command, started with some of its streams closed."""
     command = f"{sys.executable} -m symhaptic {' '.join(asked)} {streams}"

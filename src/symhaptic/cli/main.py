@@ -120,7 +120,8 @@ def once(command: Any, given: list[str]) -> None:
 def somewhere(command: Any, given: list[str]) -> None:
     """Refuse an option without a place, which would be the current folder, and links in a circle.
 
-    ``-o "$OUT"`` is empty where a script has not set the variable.
+    ``-o "$OUT"`` is empty where a script has not set the variable; ``--rocq --help`` would write
+    into a folder of this name.
     """
     called = next((command.commands[word] for word in given if word in command.commands), None)
     places = {
@@ -129,9 +130,15 @@ def somewhere(command: Any, given: list[str]) -> None:
         if option.param_type_name == "option" and option.metavar in ("FILE", "DIR")
         for name in option.opts
     }
+    options = {
+        "-h",
+        "--help",
+        *(name for own in (called.params if called else ()) for name in own.opts),
+    }
     for lead, value in _values(given):
-        if not value and lead in places:
-            refuse(f"{lead} '': is empty; give a {places[lead]}")
+        if lead in places and (not value or value in options):
+            said = f"{value}: is an option" if value else "'': is empty"
+            refuse(f"{lead} {said}; give a {places[lead]}")
         try:
             os.stat(value)
         except OSError as wrong:

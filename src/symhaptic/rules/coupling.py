@@ -40,7 +40,7 @@ STATEMENTS = {
             "dividing by the squared period multiplies the noise of the encoder by 16 million",
             (r"\frac{1}{T^2} = 16000000",),
             domain=r"T = \frac{1}{4000}",
-            quote="dividing by dt² amplifies encoder noise by ~16,000,000×",
+            quote=r"dividing by dt² amplifies encoder noise by $\sim$16,000,000×",
         ),
         Statement(
             "coupling:passive-mass",
@@ -61,8 +61,8 @@ STATEMENTS = {
             "coupling:ratio",
             "Why the delta.3 cannot",
             "2.4 kg are 5 to 12 times the mass of the device",
-            quote="At M = 2.4 kg, the mass-to-device-mass ratio of ~5–12× substantially exceeds "
-            "this limit.",
+            quote=r"At M = 2.4 kg, the mass-to-device-mass ratio of $\sim$5–12× substantially "
+            "exceeds this limit.",
         ),
         Statement(
             "coupling:beside-spring",

@@ -148,10 +148,11 @@ def sections(text: str) -> str:
 _LETTER = r"(?:alpha|beta|gamma|delta|[A-Za-z])(?:_[A-Za-z])?"
 _TERM = rf"{_LETTER}(?: [A-Za-z](?:\^2)?)?/[A-Za-z](?:_[A-Za-z]|\^2)?"
 _SYMBOL = re.compile(
-    rf"(?<![\w.^/*])(?:{_LETTER} = {_TERM}|[KBkb] T(?:\^2)?/m|omega T|alpha|beta|gamma|delta|theta"
-    r"|[A-Za-z]_[A-Za-z](?:/[A-Za-z](?:_[A-Za-z])?)?)(?![\w/^(*])(?P<room>  +)?"
+    rf"(?<![\w.^/*])(?:{_LETTER} = {_TERM}|[KBkb] T(?:\^2)?/m|omega T"
+    r"|(?:alpha|beta|gamma|delta|theta|pi)(?:\^2(?:/\d)?)?"
+    r"|[A-Za-z]_(?:\(\w-\w\)|[A-Za-z](?:/[A-Za-z](?:_[A-Za-z])?)?))(?![\w/^(*])(?P<room>  +)?"
 )
-"""A letter with another at its foot, a Greek letter, and what is equal to a quotient of letters."""
+"""A letter with an index, a Greek letter or its square, and what equals a quotient of letters."""
 
 
 def mathematics(text: str) -> str:
@@ -161,6 +162,8 @@ def mathematics(text: str) -> str:
 
     >>> mathematics("d = t_d/T, ``t_d`` of t_d in s")
     ':math:`d = t_d/T`, ``t_d`` of :math:`t_d` in s'
+    >>> mathematics("x_(k-1) and delta^2/4")
+    ':math:`x_{k-1}` and :math:`\\delta^2/4`'
     >>> mathematics("t_d            s")
     ':math:`t_d`    s'
     """
@@ -174,7 +177,8 @@ def mathematics(text: str) -> str:
 
 def _as_formula(found: re.Match[str]) -> str:
     plain = found[0].rstrip()
-    tex = re.sub(r"alpha|beta|gamma|delta|theta|omega", lambda name: rf"\{name[0]}", plain)
+    tex = re.sub(r"alpha|beta|gamma|delta|theta|omega|pi", lambda name: rf"\{name[0]}", plain)
+    tex = re.sub(r"_\((.*)\)", r"_{\1}", tex)
     role = f":math:`{tex}`"
     return role.ljust(len(found[0])) if found["room"] else role
 
