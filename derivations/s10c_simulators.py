@@ -1,8 +1,8 @@
 r"""How stiff may a spring be in a simulator?
 
-A simulator moves a mass in steps of Euler's methods and not by Newton's law: its force is computed
-from position and velocity of the mass itself. The limits of stiffness that simulation code has are
-of this loop. Are they exact there, and what are they worth for a device?
+A simulator integrates Newton's law by Euler's method, and computes the force from position and
+velocity of the simulated mass. The stiffness limits in simulation code apply to this loop. Are they
+exact for it, and are they valid for a real device?
 """
 
 from sympy import Matrix, Rational, S, eye
@@ -51,9 +51,10 @@ def derive(page):
             note="exact for this simulator",
         )
     page.say(
-        "The well-known $K<4m/T^2$ and $B<2m/T$ are the two ends of the first bound. At $B=0$ "
-        "the spring of semi-implicit Euler neither grows nor fades; each unit of damping takes "
-        "away $2/T$ of stiffness. Explicit Euler has no end at $B=0$: it needs $B>KT$."
+        "The well-known limits $K<4m/T^2$ and $B<2m/T$ are the two end points of the first bound. "
+        "At $B=0$ the oscillation of semi-implicit Euler neither grows nor decays. Each unit of "
+        "damping reduces the stiffness limit by $2/T$. Explicit Euler is unstable at $B=0$: it "
+        "requires $B>KT$."
     )
     _below_two(page, found)
     _one_mass(page, found[SEMI])
@@ -68,9 +69,9 @@ def _steps(page):
     new_speed = eye(2) + Matrix([[0, 0], rate.row(1)]) - push * wall
     moves = Matrix([[1, 1], [0, 1]])
     page.say(
-        "In units of mass and period the force is $-(\\alpha x+\\beta v)$. Both methods change the "
-        "velocity by it; semi-implicit Euler then moves by the new velocity, explicit Euler by the "
-        "old one."
+        "In units of mass and period the force is $-(\\alpha x+\\beta v)$. In both methods this "
+        "force changes the velocity. Semi-implicit Euler then moves the mass by the new velocity, "
+        "explicit Euler by the old one."
     )
     page.step(
         "The loop of semi-implicit Euler has this polynomial",
@@ -113,7 +114,7 @@ def _below_two(page, found):
         misprint=False,
         example=example(POINT, given),
         unless=cases,
-        shows="explicit Euler grows at $(1,\\tfrac12)$, semi-implicit Euler at "
+        shows="explicit Euler is unstable at $(1,\\tfrac12)$, semi-implicit Euler at "
         "$(\\tfrac12,\\tfrac{19}{10})$: spring and damper share one bound",
     )
 
@@ -128,7 +129,8 @@ def _one_mass(page, exact):
     theorem = page.lemma(
         "With little damping a quarter of $4m/T^2$ is stable in a simulator",
         here.closed(mp(exact, here.show(bounds))),
-        because="up to three quarters of $2m/T$ the damping leaves a quarter of the bound",
+        because="with a damping of up to three quarters of $2m/T$ at least a quarter of the bound "
+        "remains",
     )
     given = [*given, little]
     page.settle(
@@ -145,8 +147,9 @@ def _one_mass(page, exact):
 def _held(page):
     """The same bound for a device."""
     page.say(
-        "A device differs from a simulator in two ways. Its force is held while it moves, and its "
-        "velocity is the difference of two samples. Each of them delays the wall by half a period:"
+        "A device differs from a simulator in two ways: its force is held while it moves, and its "
+        "velocity is the difference of two samples. Each of the two delays the wall by half a "
+        "period:"
     )
     page.step(
         "The simulator's bound is this many times that of a free mass without delay",

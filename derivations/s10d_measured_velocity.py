@@ -1,8 +1,8 @@
 r"""What does a measured velocity change?
 
-Some devices have a tachometer, and in a simulator that holds its force for several steps the
-velocity is known. The wall then takes the velocity itself and no difference of positions. How stiff
-may it be, and does its limit hold for a difference?
+Some devices have a tachometer, and a simulator knows the velocity of its mass. The damper of the
+wall then uses this velocity and not a difference of positions. How stiff may the wall be, and does
+the same limit hold for the difference?
 """
 
 from sympy import Matrix, S, eye
@@ -24,8 +24,8 @@ def derive(page):
     mass = moving_mass()
     rate, push = Matrix(mass.state), Matrix(mass.force)
     page.say(
-        "A free mass has $\\dot x=v$ and $\\dot v=F$ in units of mass and period. Under a force "
-        "that is held the state after a time $t$ is $\\Phi(t)$ times the old one and $\\Gamma(t)F$:"
+        "A free mass has $\\dot x=v$ and $\\dot v=F$ in units of mass and period. Under a held "
+        "force the state after a time $t$ is $\\Phi(t)$ times the old state plus $\\Gamma(t)F$:"
     )
     phi, held = eye(2) + rate * t, push * t + rate * push * t**2 / 2
     show_motion(page, mass, (phi, held), "xv", "obeys Newton's law")
@@ -52,9 +52,9 @@ def derive(page):
         note="exact for a free mass whose force is held for a period and comes without delay",
     )
     page.say(
-        "The stiffness may rise with the damping up to the largest one, $B=2m/T$. There the damper "
-        "alone reverses the velocity in each period. With the difference of two samples "
-        "the limit falls to zero instead:"
+        "The stiffness limit rises with the damping up to the largest damping, $B=2m/T$. At this "
+        "damping the damper alone reverses the velocity in each period. With the difference of two "
+        "samples the limit falls to zero instead:"
     )
     page.step(
         "The difference from the bound for a difference of two samples",

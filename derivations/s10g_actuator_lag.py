@@ -1,8 +1,8 @@
 r"""Is a lag of the actuator the same as a delay?
 
-Amplifiers and torque loops follow their command as $1/(\tau_as+1)$. The usual advice is to count
-this lag as a delay of $\tau_a$. For a free mass we derive the exact loop, sampled with the lag in
-it, and ask on which side the advice errs.
+Amplifiers and torque loops follow their command with a lag $1/(\tau_as+1)$. The usual advice is to
+treat this lag as an additional delay of $\tau_a$. For a free mass we derive the exact sampled loop
+with the lag, and ask whether the advice is conservative.
 """
 
 from sympy import Matrix, Rational, S, exp, eye
@@ -47,11 +47,13 @@ def derive(page):
         RULE,
         for_all(symbols, given, add_assum(found, *given)),
         example=example(wall, given, holds(LAGGING, wall)),
-        note="at the origin the condition is necessary and sufficient: the lag counts as a delay. "
-        "Farther from the origin it is only necessary, and the same delay costs more than the lag",
+        note="at the origin the condition is necessary and sufficient: the lag is equivalent to a "
+        "delay. Farther from the origin it is only necessary, and an equal delay reduces the "
+        "stiffness more than the lag",
     )
     page.say(
-        "Farther from the origin a lag costs less than the same delay. A delay transmits all "
+        "Farther from the origin a lag reduces the stiffness less than an equal delay. A delay "
+        "transmits all "
         "frequencies; a lag attenuates the high ones, at which a delayed wall becomes unstable."
     )
     page.lemma(
@@ -84,9 +86,8 @@ def _loop(page):
     device = lagging(moving_mass(), tau)
     page.say(
         "In units of mass and period the state is the position, the velocity and the force $u$ of "
-        "the actuator, with $\\tau=\\tau_a/T$ and $\\tau\\dot u=F-u$. From a state at the sample, "
-        "under a command $F$ that is held, a time $t$ later it is $\\Phi(t)$ times the state and "
-        "$\\Gamma(t)F$:"
+        "the actuator, with $\\tau=\\tau_a/T$ and $\\tau\\dot u=F-u$. Under a held command $F$, "
+        "the state after a time $t$ is $\\Phi(t)$ times the initial state plus $\\Gamma(t)F$:"
     )
     fall = exp(-t / tau)
     slip = tau * (1 - fall)

@@ -1,8 +1,8 @@
 r"""What does a sampled spring give away?
 
-Courses explain the limit $K\le2b/T$ by energy: a spring whose force is held gives a little away in
-every period, and the damper has to burn it. We check the numbers of this picture, and what it says
-of a delay.
+Textbooks explain the limit $K\le2b/T$ by energy: a spring with a held force delivers some energy in
+every period, and the damper has to dissipate it. We check the numbers of this explanation, and what
+it predicts for a delay.
 """
 
 from sympy import Eq, Rational, S
@@ -23,9 +23,10 @@ LEAK, DELAY = "rules:energy-leak", "rules:delay-damping"
 
 def derive(page):
     page.say(
-        "A device that moves at the speed $v$ goes $vT$ in a period. The spring pushes with the "
-        "force of the position $x$ at its start, or of the sample before if it is delayed by a "
-        "period. On the way in the hand works less than the spring will return:"
+        "A device with the speed $v$ moves by $vT$ in a period. The spring pushes with the force "
+        "for the position $x$ at the start of the period, or for the previous sample if it is "
+        "delayed by a period. On the way into the wall the user does less work than the spring "
+        "stores:"
     )
     page.step(
         "In a period the spring gives away half of $K(vT)^2$",
@@ -40,12 +41,13 @@ def derive(page):
         name=r"E_{\text{delay}}",
     )
     page.say(
-        "The damper burns $bv^2T$ in that time. The spring gives away $KT/(2b)$ of it, the ratio "
-        "of the rule."
+        "In the same time the damper dissipates $bv^2T$. The energy that the spring delivers is "
+        "$KT/(2b)$ of this, which is the ratio in the rule."
     )
     page.say(
-        "On the way back the spring gives more than it should, by the same amount. This is a "
-        "calculation for constant speed. It remains to show that no other motion gains more."
+        "On the way out the spring delivers more than it stored, by the same amount. This "
+        "calculation is for constant speed. It remains to show that no other motion gains more "
+        "energy."
     )
     claim = CLAIMED[DELAY](STATEMENTS[DELAY].printed)
     symbols, given, then = taken_apart(claim)
@@ -74,9 +76,9 @@ def derive(page):
                 but=whole(d),
             )
         ],
-        shows="delayed by half a period, $K=1$ meets the rule with $b=\\tfrac{101}{100}$, $T=1$ "
-        "and gives energy away",
-        note="exact behind whole delays and without virtual damping; round a fractional delay up",
+        shows="with a delay of half a period, $K=1$ meets the rule for $b=\\tfrac{101}{100}$, "
+        "$T=1$ and delivers energy",
+        note="exact for integer delays without virtual damping; round a fractional delay up",
     )
     claim = CLAIMED[LEAK](STATEMENTS[LEAK].printed)
     symbols, given, then = taken_apart(claim)
@@ -92,8 +94,8 @@ def derive(page):
         for_all(symbols, extra, add_assum(found, *extra)),
         example=example(late | {d: S.Zero}, extra),
         unless=[counterexample(claim, late, differs(rule, late), but=Eq(d, 0))],
-        shows="delayed by one period, $K=1$ with $b=\\tfrac34$, $T=1$ has the ratio $\\tfrac23$ "
-        "and gives energy away",
+        shows="with a delay of one period, $K=1$ with $b=\\tfrac34$, $T=1$ has the ratio "
+        "$\\tfrac23$ and delivers energy",
         note="exact without delay and virtual damping; a delay by $d$ periods multiplies the loss "
         "by $2d+1$",
     )

@@ -35,7 +35,7 @@ def derive(page):
     page.settle(
         "eq3", Eq(m, mass), Eq(b, damping), Eq(k, stiffness, evaluate=False), definition=True
     )
-    page.say("This loses no generality if the external force is arbitrary:")
+    page.say("There is no loss of generality if the external force is arbitrary:")
     page.step(
         "The arm's forces can be counted as external",
         both * x - F_E,

@@ -49,7 +49,8 @@ def derive(page):
     )
     _not_negative(page)
     page.say(
-        r"Now the free mass, $\gamma=\delta=0$, in units of $m$ and $T$. A unit force is held for "
+        r"Now consider the free mass, $\gamma=\delta=0$, in units of $m$ and $T$. A unit force is "
+        r"held for "
         "one period and arrives with a delay of $d<1$ periods. Where is the mass at the next "
         "sample?"
     )

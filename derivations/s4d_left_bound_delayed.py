@@ -1,7 +1,7 @@
 r"""Does the stable region still reach the line $\alpha=-\gamma$ with a delay?
 
-Without delay it does, for the arms of (23). With one period of delay it still does for a spring as
-soft as an arm's, but not for a stiff one.
+Without delay the region reaches this line for the arms of (23). With one period of delay it still
+does for a spring as soft as that of an arm, but not for a stiff one.
 """
 
 from symhaptic.book.lemmas import figure9

@@ -109,11 +109,10 @@ BEFORE, AFTER = Rational(1, 50), Rational(1, 100)
 
 def _changed(page):
     page.say(
-        "The paper reads from Table I how the stable walls change with the period $T$ and the "
-        "mass $m$, for a constant delay factor $d$. What happens to the operator's $b$ and $k$ "
-        "meanwhile? If they change as well, the loop stays the same. If they are kept it does "
-        "not, and a damped mass without spring and delay, $\\gamma=0$ and $d=0$, shows by how "
-        "much."
+        "From Table I the paper infers how the stable walls change with the period $T$ and the "
+        "mass $m$, for a constant delay factor $d$. If the operator's $b$ and $k$ change in "
+        "proportion, the normalised loop stays the same. If they are constant it does not. A "
+        "damped mass without spring and delay, $\\gamma=0$ and $d=0$, shows by how much."
     )
     all_scaled(page)
     bare = {gamma: S.Zero, delta: BEFORE, d: S.Zero}

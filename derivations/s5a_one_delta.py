@@ -1,7 +1,7 @@
 r"""Can one damping describe a device with an arm, for passivity and for stability?
 
 By (2) the damping of the loop is that of device and arm together. By (3) the damping that counts
-for passivity is that of the device alone. Figs. 11 to 13 and the ratio $\eta$ have one $\delta$ for
+for passivity is that of the device alone. Figs. 11 to 13 and the ratio $\eta$ use one $\delta$ for
 both.
 """
 

@@ -1,7 +1,7 @@
 """What is the benefit of faster sampling and of more mass?
 
-The paper concludes that much faster sampling has little benefit if the delay dominates, and more
-mass has none. Here the delay $t_d=dT$ is constant while $T$ decreases.
+The paper concludes that much faster sampling has little benefit if the delay dominates, and that
+more mass has no benefit. Here the delay $t_d=dT$ is constant while $T$ decreases.
 """
 
 from symhaptic.book.lemmas.faster import SLOW, SOON, farthest, gained, much, not_slow, slow

@@ -66,8 +66,8 @@ def settle_figures(page):
         r"In Fig. 11 $\gamma=0.001$, $\delta=0.02$, and the text says that the passive regions "
         r"lie inside the stable ones. By (11) they extend to $\alpha=0.023$ for $d=\frac12$, 23 "
         r"times as far as the stable walls of this reading, and farther for $d=\frac14$. Sec. V-C "
-        r"is about walls that are stable for all $\gamma\ge0$; in this reading there is none at "
-        r"$\gamma=0$."
+        r"deals with walls that are stable for all $\gamma\ge0$, but in this reading no wall is "
+        r"stable at $\gamma=0$."
     )
     page.state(
         "fractional-figures",

@@ -301,7 +301,7 @@ def test_the_variable_is_refused_on_one_line_by_every_command(monkeypatch, capsy
                 main()
             out, err = capsys.readouterr()
             assert (ended.value.code, out, err.count("\n")) == (2, "", 1)
-            assert f"{compiled.CHOICE}: '{word}' is not allowed" in err
+            assert f"{compiled.CHOICE}: '{word}' is not a" in err
             assert "'array'" in err
         monkeypatch.undo()
 

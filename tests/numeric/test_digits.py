@@ -54,7 +54,7 @@ def test_nan_is_nan_and_the_pulling_wall_has_no_margin():
         (lambda: symhaptic.discretize(-0.1, 0.1, digits=9), "gamma: -0.1 is not allowed"),
         (lambda: symhaptic.max_passive_stiffness(0.1, 0.5, digits=9), "delay: a fraction is not"),
         (lambda: symhaptic.stability_boundary(1.0, 0.0, 0.0, 0.5, "principal", digits=9),
-         "delay: a fraction is not allowed for digits with sheet='principal'"),
+         "delay: a fraction is not available for digits with sheet='principal'"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_is_refused(call, said):

@@ -330,7 +330,7 @@ def test_a_device_by_its_matrices_moves_as_the_same_mass(more):
         ("position0 or velocity0", given),
         ("coulomb_friction", Scene(dynamics=matrices, coulomb_friction=1.0, **loop)),
     ):
-        with pytest.raises(ValueError, match=f"{name}: is not allowed beside dynamics"):
+        with pytest.raises(ValueError, match=f"{name}: cannot be used with dynamics"):
             scene.simulate(1.0, 0.0, duration=0.01, velocity0=0.1)
 
 

@@ -63,8 +63,8 @@ class Oversampled(Measured):
         above, below = recursion(self.velocity, 1.0)
         if len(above) + len(below) > _MEMORY:
             raise ValueError(
-                f"velocity: {self.velocity!r} is not allowed beside times; give a filter that "
-                f"keeps at most {_MEMORY} numbers"
+                f"velocity: {self.velocity!r} keeps too many numbers for times; give a filter that "
+                f"keeps at most {_MEMORY}"
             )
 
     @property

@@ -10,7 +10,7 @@ import numpy as np
 from symhaptic.loops.plant import Plant
 from symhaptic.notation.quantities import shown
 
-_SEVERAL = "system: of several inputs or outputs is not allowed; give one each"
+_SEVERAL = "system: it has several inputs or outputs; give a system with one input and one output"
 
 _LARGEST = 12
 """States of the largest device: beyond, the roots of its polynomial lose their digits."""
@@ -95,8 +95,8 @@ class LinearDevice:
             raise ValueError(_SEVERAL)
         if np.any(D):
             raise ValueError(
-                f"system: with D = {shown(np.asarray(D).tolist())} is not allowed; "
-                "a force moves no device at once"
+                f"system: D = {shown(np.asarray(D).tolist())} moves the device without delay; "
+                "give a system with D = 0"
             )
         return cls(A, B, C)
 

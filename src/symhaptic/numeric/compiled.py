@@ -45,14 +45,14 @@ def _module() -> ModuleType | None:
     except ImportError:
         if choice == "compiled":
             raise ValueError(
-                f"{CHOICE}: 'compiled' is not allowed where the install found no compiler; "
+                f"{CHOICE}: 'compiled' is not available, because the install found no compiler; "
                 "give 'array'"
             ) from None
         return None
     if getattr(_compiled, "STAMP", "") == STAMP:
         return _compiled
     if choice == "compiled":
-        raise ValueError(f"{CHOICE}: 'compiled' is not allowed where {_STALE}; or give 'array'")
+        raise ValueError(f"{CHOICE}: 'compiled' is not available: {_STALE}; or give 'array'")
     warnings.warn(f"{_STALE}; until then the array kernels work", RuntimeWarning, stacklevel=2)
     return None
 

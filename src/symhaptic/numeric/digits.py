@@ -36,14 +36,16 @@ def in_digits(name: str, digits: int, sheet: str = "exact", **arguments: Any) ->
                          f"to {_MOST}")  # fmt: skip
     given = Given(**arguments)
     if given.traced:
-        raise ValueError("digits: not allowed for traced arrays; give numbers")
+        raise ValueError("digits: not available for traced arrays; give numbers")
     rows = np.broadcast_arrays(*map(to_numpy, given.values))
     names = [_OTHER.get(n, n) for n in arguments]
     if "d" in names and (sheet != "exact" or name in _CLOSED):
         delay = rows[names.index("d")]
         if np.any(delay != np.floor(delay)):
             what = f"digits of {name}" if sheet == "exact" else f"digits with sheet={sheet!r}"
-            raise ValueError(f"delay: a fraction is not allowed for {what}; give whole periods")
+            raise ValueError(
+                f"delay: a fraction is not available for {what}; give a whole number of periods"
+            )
     found = [_one(name, digits, names, values) for values in zip(*map(_flat, rows), strict=True)]
     if not rows[0].ndim:
         return found[0] if len(found[0]) > 1 else found[0][0]

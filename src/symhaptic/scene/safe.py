@@ -270,7 +270,7 @@ def safe_walls(scene: DeviceLoop, arm: Arms) -> SafeWalls:
     if scene.arm is not None:
         if arm is not None:
             raise ValueError(
-                f"arm: {shown(arm)} beside the scene's {scene.arm!r} is not allowed; "
+                f"arm: {shown(arm)} would be a second arm beside the scene's {scene.arm!r}; "
                 "use scene.device.safe_walls(...) for another arm"
             )
         scene, arm = scene.device, scene.arm

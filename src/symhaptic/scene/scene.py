@@ -201,7 +201,7 @@ class Scene(DeviceLoop):
         """
         if self.arm is not None:
             raise ValueError(
-                f"arm: {shown(arm)} beside {self.arm!r} is not allowed; "
+                f"arm: {shown(arm)} would be a second arm beside {self.arm!r}; "
                 "use scene.device.held_by(...) for another arm"
             )
         return replace(self, arm=checked(arm, self.rotary))
@@ -713,7 +713,7 @@ class Scene(DeviceLoop):
         from symhaptic.scene.picture import draw, new_axes
 
         if (K is None) != (B is None):
-            raise ValueError(f"K: {K!r} with B={B!r} is not allowed; give both or none")
+            raise ValueError(f"K: {K!r} with B={B!r} is no wall; give both or neither")
         wall = None
         if K is not None and B is not None:
             wall = number("K", K, self.unit("N/m")), number("B", B, self.unit("N*s/m"))
@@ -826,7 +826,11 @@ class Scene(DeviceLoop):
         self.refuse_further("simplest, whose proofs are of the paper's loop")
         if (mass if self.rotary else inertia) is not None:
             name, allowed = ("mass", "inertia") if self.rotary else ("inertia", "mass")
-            raise ValueError(f"{name}: is not allowed for this device; give its {allowed}")
+            raise ValueError(
+                f"{name}: this device has an {allowed}; give {allowed}="
+                if allowed == "inertia"
+                else f"{name}: this device has a {allowed}; give {allowed}="
+            )
         over = {"mass": mass, "inertia": inertia, "damping": damping}
         m, b, k = self.coupled
         loop = Loop(self.parts, self.periods, self.sampling_period, m, k, b, self.unit)

@@ -206,7 +206,7 @@ def test_regions_are_compared_by_what_they_are_of():
         ((0.0, np.nan), "beta: nan is not allowed; give finite numbers"),
         ((np.inf, 0.0), "alpha: inf is not allowed; give finite numbers"),
         (([1.0, 2.0], 0.0), "alpha: .* is not allowed; give one number"),
-        ((0.0, 0.0), "alpha: 0.0 beside beta=0.0 is not allowed; give a direction"),
+        ((0.0, 0.0), "alpha: 0.0 with beta=0.0 is no direction; give one"),
     ],
 )
 def test_what_is_no_direction_is_named(direction, said):

@@ -72,7 +72,7 @@ USE = (
     ("Stable or not, by Jury's inequalities", ("jury-inequalities",)),
     ("The linear limit of stability", ("eq24", "eq25")),
     ("Passive walls are stable", ("s5a-subset",)),
-    ("Behind a delay of $(\\ell+\\varepsilon)T$: passive or not", ("fractional-passivity",)),
+    ("With a delay of $(\\ell+\\varepsilon)T$: passive or not", ("fractional-passivity",)),
 )
 """What a reader asks, and the statements that answer."""
 
