@@ -68,7 +68,7 @@ def derive(page):
         late.subs(d, 0),
         undelayed.n1,
         name="x_1|_{d=0}",
-        because="an integer delay shifts the samples and changes none of them",
+        because="an integer delay shifts the samples and does not change their values",
     )
     page.say(
         r"The model $z^{-d}P(z)$ predicts no motion at the next sample. For $d=\tfrac12$ the mass "

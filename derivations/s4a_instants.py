@@ -40,7 +40,7 @@ def derive(page):
         integrate(free.transition(1 - t)[0, 1] * t, (t, 0, 1)),
         Rational(1, 6),
         name="x_1",
-        because="by its samples $F_0=0$ the mass would not have moved",
+        because="according to the samples, $F_0=0$, the mass would not move",
     )
     page.step(
         "A held force with a fractional delay is not the shifted one",

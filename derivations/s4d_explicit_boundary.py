@@ -88,7 +88,7 @@ def derive(page):
         S.Zero,
         d + S.Half,
         name=r"\beta(\theta)/\alpha(\theta)",
-        because="damping over stiffness is the delay, half a period of hold included",
+        because="the ratio of damping to stiffness is the delay, with half a period for the hold",
     )
     _settled(page)
     _undamped(page)

@@ -28,8 +28,8 @@ def derive(page):
         + A * (UNEVEN / 2 + n_0 * small * (4 * n_0 + 3 * UNEVEN) / 2)
         - A**2 * n_0 * (4 * n_0 + 3 * UNEVEN) / 4,
         name=r"\Delta_2",
-        because="products of two small numbers; with one period of delay it is the same with "
-        "others",
+        because="these are products of two small numbers; with one period of delay other small "
+        "numbers take their place",
     )
     page.lemma(
         "$n_1$ exceeds $n_0$ by at most $\\frac16\\delta$", nearly_even(), because="bounds $w$"

@@ -59,8 +59,8 @@ def passive(page):
 def settled(page):
     """At one period of delay, and at ten."""
     page.say(
-        "For stable walls no such bound is shown for all delays. We read the paper's word "
-        "significant as a quarter. At ten periods of delay every rate up to ten times is "
+        "For stable walls no such bound is shown for all delays. By a significant gain we "
+        "understand a quarter. At ten periods of delay every rate up to ten times is "
         "checked, by a wall near the tip for the old rate and a bound near the tip for the new "
         "one, for a free mass and for the arm of Figs. 11 and 12:"
     )

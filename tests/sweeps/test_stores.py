@@ -197,7 +197,10 @@ def test_another_sweep_is_refused(kind, tmp_path):
     place = tmp_path / f"kept.{kind}"
     axes = {"delta": DELTA, "delay": 1.0, "to": place}
     sweep("max_stable_stiffness", gamma=0.0, **axes)
-    with pytest.raises(ValueError, match=r"^to: .+ holds another sweep, which differs in inputs; give another name$"):
+    with pytest.raises(
+        ValueError,
+        match=r"^to: .+ holds another sweep, which differs in inputs; give another name$",
+    ):
         sweep("max_stable_stiffness", gamma=0.1, **axes)
     with pytest.raises(ValueError, match=r"which differs in blocks$"):
         sweep("max_stable_stiffness", gamma=0.0, chunks=2, **axes)

@@ -25,7 +25,7 @@ _MOST = 64
 
 @dataclass(frozen=True)
 class Oversampled(Measured):
-    """The velocity of a sensor that is faster than the wall, by a whole ratio.
+    """Velocity from a sensor that is sampled at an integer multiple of the rate of the wall.
 
     Parameters
     ----------
