@@ -55,7 +55,9 @@ def derive(page):
         "After 21 periods $\\alpha=0.0001$, $\\beta=-0.022$ is not stable",
         unstable_at({**stiff, d: S(21)}),
     )
-    page.say("By area each period does make the region smaller (\\chapter{s4d_areas}).")
+    page.say(
+        "The area of the region does decrease with each period of delay (\\chapter{s4d_areas})."
+    )
 
     corners = every(NUMBERS, [DEVICE], both([begins(), begins(d + 1, CORNER - gamma)]))
     plant, arm = [gamma >= 0, delta > 0], (gamma, delta, d)

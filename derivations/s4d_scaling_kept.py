@@ -111,8 +111,9 @@ def _changed(page):
     page.say(
         "From Table I the paper infers how the stable walls change with the period $T$ and the "
         "mass $m$, for a constant delay factor $d$. If the operator's $b$ and $k$ change in "
-        "proportion, the normalised loop stays the same. If they are constant it does not. A "
-        "damped mass without spring and delay, $\\gamma=0$ and $d=0$, shows by how much."
+        "proportion, the normalised loop stays the same. If they are constant, the "
+        "loop changes. A damped mass without spring and delay, $\\gamma=0$ and $d=0$, shows by how "
+        "much."
     )
     all_scaled(page)
     bare = {gamma: S.Zero, delta: BEFORE, d: S.Zero}

@@ -76,9 +76,9 @@ def derive(page):
             held: (drifting, *(stands(drifting), falls(drifting), met(drifting, [S.Half]))),
         },
         shows=r"$\beta=0.0252$ and 150 periods of delay: stable with $\alpha=0.0002$, not with 0",
-        note=r"a passive wall that does not pull has $\delta>0$; for integer delays; without delay "
-        "it need not be passive; inside (23) no such wall was found for delays up to 75 "
-        "periods",
+        note=r"a passive wall with $K\ge0$ requires $\delta>0$. Shown for integer delays; without "
+        "delay the wall need not be passive. Inside (23) no counterexample was found for delays "
+        "up to 75 periods",
     )
 
 
