@@ -202,7 +202,7 @@ def test_another_sweep_is_refused(kind, tmp_path):
         match=r"^to: .+ holds another sweep, which differs in inputs; give another name$",
     ):
         sweep("max_stable_stiffness", gamma=0.1, **axes)
-    with pytest.raises(ValueError, match=r"which differs in blocks$"):
+    with pytest.raises(ValueError, match=r"which differs in blocks; give another name$"):
         sweep("max_stable_stiffness", gamma=0.0, chunks=2, **axes)
     stranger = tmp_path / f"other.{kind}"
     stranger.mkdir()
