@@ -137,7 +137,7 @@ MIXED = [
     (lambda: KNOB.held_by(Arm.of("Hogan")), r"arm: Arm\(mass=0.8, .* give Arm\(inertia=...\)"),
     (lambda: Arm(mass=1, inertia=1), "inertia: 1 and mass=1 exclude each other; give one of them"),
     (lambda: Arm(), "mass: is missing; give mass or inertia"),
-    (lambda: ArmRange.around([Arm(mass=1), Arm(inertia=1)]), "arms: one with a mass beside one"),
+    (lambda: ArmRange.around([Arm(mass=1), Arm(inertia=1)]), "arms: some have a mass and some"),
     (lambda: Scene.of("Phantom Omni", inertia=1, sampling_period=1), "mass: is not published"),
     (lambda: Scene(inertia=1, sampling_period=1, damping=1e80).describe(), "with inertia=1.0 and"),
 ]  # fmt: skip

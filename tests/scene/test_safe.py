@@ -141,7 +141,7 @@ def test_a_masked_wall_is_not_said_to_be_safe():
             lambda: Scene.of("Phantom Premium 1.5", sampling_period=1).safe_walls("all"),
             "arm: 'all' is not allowed; give an ArmRange",
         ),
-        (lambda: ArmRange.around([Arm.of("Daniel et al.")]), "arms: one that was measured with"),
+        (lambda: ArmRange.around([Arm.of("Daniel et al.")]), "arms: one was measured together"),
         (lambda: phantom().best_damping(1e5), "K: 100000.0 is not allowed"),
         (lambda: phantom().delay_margin(1e5, 3.0), "K: 100000.0 with B=3.0 is not proved safe"),
     ],
