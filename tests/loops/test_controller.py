@@ -129,7 +129,7 @@ int main(void)
 def test_what_is_no_wall_for_a_controller_is_refused():
     with pytest.raises(ValueError, match="is not stable for this device"):
         files(scene(), 1e6, 0.0)
-    with pytest.raises(ValueError, match="give what computes it from the positions"):
+    with pytest.raises(ValueError, match="give a velocity that is computed"):
         files(scene(Measured()), 100.0, 1.0)
 
 
