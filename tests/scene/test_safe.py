@@ -128,7 +128,7 @@ def test_a_masked_wall_is_not_said_to_be_safe():
     [
         (lambda: ArmRange(mass=(2, 1)), r"mass: \(2, 1\) is not allowed; the lowest comes first"),
         (lambda: ArmRange(mass=(1, 2, 3)), "mass: .* a number or"),
-        (lambda: ArmRange(damping=1, damping_per_mass=2), "damping_per_mass: 2 beside damping=1"),
+        (lambda: ArmRange(damping=1, damping_per_mass=2), "damping_per_mass: 2 and damping=1"),
         (lambda: ArmRange(damping=np.array([1, 2])), r"damping: array\(\[1, 2\]\) is not allowed"),
         (lambda: ArmRange(mass=(0, None)), "mass: None is not allowed; give finite numbers >= 0"),
         (lambda: ArmRange(stiffness=(0, float("inf"))), "stiffness: inf is not allowed"),

@@ -491,7 +491,7 @@ def test_a_simulator_has_no_time_between_its_steps():
     scene = Scene(mass=M, sampling_period=T, integrator="explicit Euler")
     with pytest.raises(ValueError, match="samples_between: 1 is not allowed; give 0"):
         scene.simulate(1.0, 0.0, duration=0.01, samples_between=1)
-    with pytest.raises(ValueError, match=r"delay: of 0\.5 periods"):
+    with pytest.raises(ValueError, match=r"delay: 0\.5 periods"):
         Scene(mass=M, sampling_period=T, integrator="explicit Euler", delay_samples=0.5).simulate(
             1.0, 0.0, duration=0.01
         )
