@@ -5,7 +5,6 @@ coupled to a device that dissipates energy only by its damping $b$. We ask for w
 motion of the device can extract energy.
 """
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.largest_damping import divisors, margins
 from symhaptic.book.lemmas.mass import no_mass_differs, of_mass
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS

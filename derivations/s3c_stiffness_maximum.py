@@ -4,7 +4,6 @@ It is the rightmost point of the boundary. There the coefficient of the damping 
 vanishes. This gives the frequency, and with it the wall.
 """
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.motions import half_late, not_passive
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import TURN, bound, largest_of, stiffest_wall, waves

@@ -6,11 +6,10 @@ the areas of the regions without delay.
 
 from symhaptic.book.lemmas.areas import damper_adds, mass_adds
 from symhaptic.book.lemmas.outpaced import at_point
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.spring_box import HIGH, LOW, PRIMED, THIN, WIDE, L, bounds
 from symhaptic.book.lemmas.stability import by_inequalities
-from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known
+from symhaptic.book.lemmas.stiffest_stable import inequalities
 from symhaptic.paper.propositions.areas import ENDS, moved_by_the_spring
 from symhaptic.proof import box
 from symhaptic.proof.theorems.leaves import on_box as on_plain_box

@@ -7,14 +7,12 @@ soft as an arm's, but not for a stiff one.
 from symhaptic.book.lemmas import figure9
 from symhaptic.book.lemmas.boundary import at_rest
 from symhaptic.book.lemmas.lower_boundary import is_some
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, MARGIN, NUMBERS, passive_is_stable
-from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.book.lemmas.passive_is_stable import MARGIN, passive_is_stable
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
+from symhaptic.book.lemmas.stiffest_stable import on_box
 from symhaptic.book.lemmas.undelayed_curve import WEIGHT, between, plants
 from symhaptic.model import loop
-from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import CURVE
 from symhaptic.paper.propositions.stability import OTHER, PIECE, damped_region_ends_on_the_line
 

@@ -8,14 +8,12 @@ ones.
 import itertools
 
 from symhaptic.book.figures.stability import largest_stiffnesses
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.figure9 import each_value
 from symhaptic.book.lemmas.near_tip import Arm, none_above, rounded, tip, wall_below
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.outweighed import stable_behind_every_delay
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import at_arm, at_peak, least, of_delay
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.paper.propositions.ratio import (
     FALLEN,
     FINE,

@@ -6,7 +6,6 @@ the figures.
 """
 
 from symhaptic.book.lemmas.chords import PI
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.walls import met

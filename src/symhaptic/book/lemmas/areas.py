@@ -1,14 +1,11 @@
 """Polygons inside and around the stable regions of one arm, for integer delays."""
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.figure9 import right_of_the_line
 from symhaptic.book.lemmas.more_damped import more_damped_is_stable
 from symhaptic.book.lemmas.outpaced import at_point, on_this_side
-from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.polygon import all_stable
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.spring_box import bounds
-from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant
 from symhaptic.paper.propositions import areas
 from symhaptic.paper.propositions.ratio import ARM
 

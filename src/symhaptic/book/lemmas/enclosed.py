@@ -1,7 +1,7 @@
 """Walls that no boundary separates from a stable wall are stable, for every plant and integer
 delay."""
 
-from symhaptic.book.lemmas.passive_is_stable import LOOP, NUMBERS
+from symhaptic.book.lemmas.passive_is_stable import LOOP
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.plots import enclosed
 from symhaptic.paper.propositions.stability import START, WAY

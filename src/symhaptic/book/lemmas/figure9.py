@@ -4,11 +4,10 @@
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
 from symhaptic.book.lemmas.one_plane import stable_curve
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
+from symhaptic.book.lemmas.passive_is_stable import LOOP
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant, on_box
-from symhaptic.paper.propositions.comparison import STABLE
+from symhaptic.book.lemmas.stiffest_stable import on_box
 from symhaptic.paper.propositions.plots import BESIDE, THIN
 
 NEAR = {1: Rational(3, 10), 2: Rational(1, 4)}

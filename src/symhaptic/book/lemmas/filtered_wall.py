@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import PI, by_sign_of_damping, cosine_bounds
 from symhaptic.notation import f_v

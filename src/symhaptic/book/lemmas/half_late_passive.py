@@ -3,7 +3,7 @@
 from sympy import atan
 
 from symhaptic.book.lemmas.late_passivity import passive_late
-from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle, passive_by_angle
+from symhaptic.book.lemmas.passivity import at_every_angle, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 
 QUADRATIC = (

@@ -1,6 +1,6 @@
 """When is a wall passive that is late by a fraction of a period?  The condition at each angle."""
 
-from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
+from symhaptic.book.lemmas.passivity import at_every_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.energy import toeplitz
 

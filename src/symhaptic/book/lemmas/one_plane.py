@@ -5,10 +5,9 @@ from symhaptic.book.lemmas.connections import passive_wall_is_stable
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.late_passivity import passive_late
 from symhaptic.book.lemmas.normalised_boundary import ON_CURVE, above_in_units, in_units
-from symhaptic.book.lemmas.passive_is_stable import LOOP, NUMBERS
+from symhaptic.book.lemmas.passive_is_stable import LOOP
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.paper.propositions.comparison import PASSIVE_WALL, STABLE
+from symhaptic.paper.propositions.comparison import PASSIVE_WALL
 from symhaptic.paper.propositions.passivity import BORDER
 from symhaptic.paper.propositions.plots import solid
 from symhaptic.paper.propositions.stability import at_angle

@@ -5,9 +5,8 @@ are quadratic in the wall, and the left one wins for every damping once the stif
 the angle of the tip of the stable region this bound is the tip itself.
 """
 
-from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import Ranges, of_every_plant
+from symhaptic.book.lemmas.stiffest_stable import Ranges
 from symhaptic.model.circle import powers
 from symhaptic.proof import box
 from symhaptic.proof.plants import BALLS, LATE, named

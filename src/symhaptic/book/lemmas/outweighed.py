@@ -1,10 +1,8 @@
 """A wall that the plant outweighs all around the circle is stable with every integer delay."""
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.outpaced import at_point
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
+from symhaptic.book.lemmas.passive_is_stable import LOOP
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant
 from symhaptic.paper.propositions.ratio import ARM
 
 LATE = Rational(59, 10**5)

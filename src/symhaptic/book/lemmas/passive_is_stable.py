@@ -1,13 +1,11 @@
 """A wall that meets the passivity condition at every angle keeps every damped device stable."""
 
-from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
+from symhaptic.book.lemmas.passivity import at_every_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import margin
 from symhaptic.proof.theorems.familiar import linear
 
-NUMBERS = (n_1, n_0, a, e)
 LOOP = (alpha, beta, gamma, delta, d)
-DEVICE = Predicate("device", (), (gamma, delta, *NUMBERS))
 MARGIN = margin().xreplace({K: alpha, B: beta, b: delta, T: sp.S.One})
 """delta - alpha sin((d+1/2) theta)/(2 sin(theta/2)) + beta cos((d+1) theta)."""
 EVERY_MARGIN = at_every_angle(MARGIN >= 0)

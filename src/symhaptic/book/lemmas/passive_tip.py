@@ -6,7 +6,6 @@ from symhaptic.book.lemmas.passivity import passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import bound, slope, stiffest_wall, waves
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, Wall
-from symhaptic.paper.propositions.comparison import STABLE
 
 
 def at_unit(*given: Any) -> Given:

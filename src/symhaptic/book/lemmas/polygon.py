@@ -9,12 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.outpaced import at_point
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.numeric.plant import discretize
 from symhaptic.paper.propositions.areas import Side, Wall, sides, within
 from symhaptic.paper.propositions.stability import SQUARE

@@ -116,6 +116,7 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.prelude import transcribed
 from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
 from symhaptic.paper.reading import read
@@ -227,6 +228,26 @@ from symhaptic.proof.theorems.tactics import (
     zero_beyond,
 )
 
-HALF = Rational(1, 2)
-
 load_certificates(Path(__file__).with_name("certificates.json"))
+
+HALF = Rational(1, 2)
+INSIDE = (theta > 0, theta < pi)
+"""The angles of the upper half of the circle."""
+NUMBERS = (n_1, n_0, a, e)
+DEVICE = Predicate("device", (), (gamma, delta, *NUMBERS))
+"""A device in units of its mass and of the period, and the numbers of it that is sampled."""
+
+
+def of_every_plant(theorem: Theorem) -> Theorem:
+    """What does not speak of the plant's numbers holds without them."""
+    return choose(device_exists(gamma, delta, NUMBERS), theorem)
+
+
+def numbers_known(theorem: Theorem) -> Theorem:
+    """Without the hypotheses that have no symbols."""
+    return closed(theorem, *(fact(p) for p in theorem.hypotheses if not p.free))
+
+
+def not_zero(theorem: Theorem) -> Theorem:
+    """e != 0 from 0 < e."""
+    return positive(Relation(relation(theorem).right, "!=", S.Zero), [theorem])

@@ -12,7 +12,6 @@ from symhaptic.book.lemmas.outweighed import LATE, stable_behind_every_delay
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import limits, pushes
 from symhaptic.book.lemmas.stiffest_passive import bound, stiffest_wall
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, from_bound, passive_walls
 from symhaptic.paper.propositions import ratio
 from symhaptic.paper.propositions.passivity import PASSIVE

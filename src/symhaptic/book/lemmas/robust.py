@@ -12,11 +12,10 @@ from scipy.optimize import minimize_scalar
 from symhaptic.book.lemmas.near_tip import none_above
 from symhaptic.book.lemmas.nyquist_triangle import needed
 from symhaptic.book.lemmas.outpaced import at_point
-from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.passive_tip import at_unit, is_passive, passive_tip
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import least
-from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known, of_every_plant
+from symhaptic.book.lemmas.stiffest_stable import inequalities
 from symhaptic.book.lemmas.stiffness_claims import Wall, beside, from_bound
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 from symhaptic.paper.propositions import robust as claims

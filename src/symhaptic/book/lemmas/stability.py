@@ -1,6 +1,5 @@
 """Loops that are stable, and loops that are not: at a point, and by Jury's inequalities."""
 
-from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.definitions import loop_substituted
 

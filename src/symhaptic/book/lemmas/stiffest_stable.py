@@ -6,7 +6,6 @@ on the box.  The last of them, of the largest minor, falls with the stiffness: w
 one stiffness for every damping, no stiffer wall is stable.
 """
 
-from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.model import circle
@@ -39,16 +38,6 @@ def _on_box(expr: Expr, sides: tuple[tuple[Symbol, tuple[Any, Any]], ...]) -> Th
     small = circle.expanded(expr.xreplace(NEAR_FREE))
     certificate = box.positive(small, ranges, named(SMALL))
     return combined(Relation(S.Zero, "<", expr), [on_plants(certificate)])
-
-
-def of_every_plant(theorem: Theorem) -> Theorem:
-    """What does not speak of the plant's numbers holds without them."""
-    return choose(device_exists(gamma, delta, NUMBERS), theorem)
-
-
-def numbers_known(theorem: Theorem) -> Theorem:
-    """Without the hypotheses that have no symbols."""
-    return closed(theorem, *(fact(p) for p in theorem.hypotheses if not p.free))
 
 
 def stable_wall(delay: int, wall: tuple[Expr, Expr], ranges: Ranges) -> Theorem:

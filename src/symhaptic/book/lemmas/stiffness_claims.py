@@ -2,7 +2,7 @@
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import largest_of
-from symhaptic.book.lemmas.stiffest_stable import Ranges, no_stiffer, numbers_known, stable_wall
+from symhaptic.book.lemmas.stiffest_stable import Ranges, no_stiffer, stable_wall
 from symhaptic.paper.propositions.ratio import ARM, WALL
 
 Wall: TypeAlias = tuple[Expr, Expr]

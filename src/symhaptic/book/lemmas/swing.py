@@ -4,8 +4,8 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.familiar import divided, swinging
 
 RATE = Symbol("sigma")
-DEVICE = (m, b, k, omega)
-SWINGS = Predicate("swings", (), DEVICE)
+MOVING = (m, b, k, omega)
+SWINGS = Predicate("swings", (), MOVING)
 SQUARE = k / m - b**2 / (4 * m**2)
 """omega^2 of a device that swings."""
 
@@ -13,7 +13,7 @@ SQUARE = k / m - b**2 / (4 * m**2)
 @cache
 def swings() -> Theorem:
     """swings <=> omega^2 = k/m - b^2/(4 m^2), for m > 0 and omega > 0."""
-    meaning = swinging(DEVICE, RATE)
+    meaning = swinging(MOVING, RATE)
     some = meaning.conclusion.of[1]  # type: ignore[attr-defined]
     sine, cosine = (assume(p) for p in some.body.of)
     rate = -b / (2 * m)

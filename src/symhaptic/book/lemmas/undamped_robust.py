@@ -6,8 +6,6 @@ N = p + q + 1: there only the wall's part of the polynomial is left.
 """
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.paper.propositions.stability import NUMBERS
 from symhaptic.proof.theorems.analysis import grows
 
 p, q = symbols("p q")

@@ -1,7 +1,6 @@
 """The passivity condition without delay and its summary (6), which wants b > KT/2 + |B|."""
 
-from symhaptic.book.lemmas.chords import not_zero
-from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passive_by_angle
+from symhaptic.book.lemmas.passivity import PASSIVE, every_margin, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.passivity import SIX
 

@@ -1,7 +1,6 @@
 """Walls in the units of Table I that meet (5) at every frequency, and loops that are not stable."""
 
 from symhaptic.book.lemmas.passive_is_stable import MARGIN
-from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.comparison import passive
 from symhaptic.proof.theorems.definitions import loop_substituted
