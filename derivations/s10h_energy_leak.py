@@ -105,8 +105,7 @@ def without_delay(rule: Any) -> Theorem:
     plain = exact.conclusion.of[0]  # type: ignore[attr-defined]
     rule = proposition(rule)
     there = mp(exact, here.show(plain, rule))
-    back = here.show(rule, mp(exact, assume(UNDAMPED)))
-    found = either_way(there, back, rule, UNDAMPED)
+    found = either_way(there, here.show(rule, mp(exact, assume(UNDAMPED))), rule, UNDAMPED)
     at_once = subst(whole(place), place, fact(whole(0)), zero)
     return closed(here.closed(found), at_once)
 

@@ -86,8 +86,7 @@ def _mass(page):
 def _settle(page, printed):
     """(5) decides for integer delays and walls that do not pull, but on the border."""
     claim = CLAIMED["eq5"]((printed,))
-    same = taken_apart(claim)[2]
-    frequencies, passive = same.of
+    frequencies, passive = taken_apart(claim)[2].of
     extra = [whole(d), K >= 0, off_border()]
     enough = follows(passive_by_angle(), assume(K >= 0), margins(frequencies))
     page.lemma(r"With an integer delay a wall with $K\ge0$ that meets (5) is passive", enough)

@@ -107,8 +107,7 @@ def _stiffest(page, *derived):
         "$\\sin(d+\\frac12)\\theta=\\cos\\frac\\theta2$: that is "
         "$b\\ge\\frac12KT\\cot\\frac\\theta2$",
     )
-    claim = CLAIMED["eq11"](PRINTED)
-    _, given, then = taken_apart(claim)
+    _, given, then = taken_apart(CLAIMED["eq11"](PRINTED))
     found = page.lemma(
         "The wall of (11) is passive and has the maximum stiffness",
         stiffest_wall(*map(assume, given[-2:])),

@@ -54,8 +54,7 @@ def derive(page):
 
 def _numbers(page, *forms):
     """Table I makes (19) of (2)."""
-    theorem = numbers(page.claim("eq19"))
-    page.settle("eq19", theorem, *forms, example=PLAIN | WHOLE)
+    page.settle("eq19", numbers(page.claim("eq19")), *forms, example=PLAIN | WHOLE)
 
 
 def _bounds(page):

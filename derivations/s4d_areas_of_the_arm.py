@@ -86,8 +86,7 @@ class Both:
 
     def of(self, expr: Expr, device: dict[Symbol, Expr]) -> Theorem:
         """0 < f of one of the devices."""
-        found = at_point(expr, {s: (device[s], device[s]) for s in RANGES})
-        return inst(found, device)
+        return inst(at_point(expr, {s: (device[s], device[s]) for s in RANGES}), device)
 
     def _known(self) -> list[Theorem]:
         """That wall and devices lie in the box."""

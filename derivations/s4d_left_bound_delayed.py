@@ -192,8 +192,7 @@ def near_the_line(delay: Expr) -> Theorem:
     margin = Given(*INSIDE).closed(subst(pattern, place, bare, equal), sine_of_half(theta))
     margins = for_all([theta], INSIDE, margin)
     counted = subst(whole(place), place, is_whole(delay), equal)
-    stable = closed(conjunct(passive_is_stable(), STABLE), margins, counted)
-    return _placed(stable, reach)
+    return _placed(closed(conjunct(passive_is_stable(), STABLE), margins, counted), reach)
 
 
 def _between(reach: Expr) -> tuple[Proposition, ...]:
@@ -244,11 +243,9 @@ SHORT = NEAR * x / (NEAR + 2 * x)
 def bound_of_arms() -> Theorem:
     """What the claim s4d-left-bound says, under its hypotheses."""
     place = sp.Symbol("q")
-    found = inst(figure9.right_of_the_line(), {alpha: place})
-    right = show(alpha < place, found, LINE)
+    right = show(alpha < place, inst(figure9.right_of_the_line(), {alpha: place}), LINE)
     right = inst(right, {place: OTHER})
-    stable = STABLE.at({alpha: OTHER})
-    right = for_all((OTHER, beta, d), [whole(d), stable], right)
+    right = for_all((OTHER, beta, d), [whole(d), STABLE.at({alpha: OTHER})], right)
     return conj(right, _reached())
 
 

@@ -165,8 +165,7 @@ def right() -> Theorem:
     there, back = in_units()
     claim: Any = instead().parts[0]
     then = taken_apart(claim)[2]
-    found = either_way(back, there, *then.of)
-    return as_claimed(claim, found)
+    return as_claimed(claim, either_way(back, there, *then.of))
 
 
 @cache

@@ -129,8 +129,7 @@ def turned_down() -> Theorem:
     loop = inst(by_inequalities(0), {alpha: x})
     goals = conjuncts(loop.conclusion.of[1])
     shown = [combined(goal, *known) for goal, known in zip(goals, rows, strict=True)]
-    found = closed(mp(loop, conj(*shown)), low, high)
-    return closed(of_every_plant(found), _slow())
+    return closed(of_every_plant(closed(mp(loop, conj(*shown)), low, high)), _slow())
 
 
 def _slow() -> Theorem:

@@ -56,8 +56,7 @@ def settle_literal(page):
         claim=only_within_the_spring(),
     )
     idle = {alpha: HALF / 5, beta: HALF / 5, gamma: S.One, delta: S.One, p: S.Zero, q: S.Zero}
-    there = idle | {d: HALF}
-    page.settle("fractional-literal", found, example=(idle, stable_at(there)))
+    page.settle("fractional-literal", found, example=(idle, stable_at(idle | {d: HALF})))
 
 
 def settle_figures(page):

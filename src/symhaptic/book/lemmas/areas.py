@@ -56,8 +56,7 @@ def above_the_line(delay: int, side: areas.Side) -> Theorem:
         [at_point(steep, HERE), positive(alpha + gamma > 0, [right])],
         [at_point(room, HERE)],
     )
-    found = over((c - p * alpha - q * beta) / -q > 0, product, heavy)
-    return closed(found, not_zero(heavy))
+    return closed(over((c - p * alpha - q * beta) / -q > 0, product, heavy), not_zero(heavy))
 
 
 @cache
@@ -77,8 +76,7 @@ def around(delay: int) -> Theorem:
     for side, theorem in zip((low, *others), shown, strict=True):
         share = S.One if side is not low else -low[1]
         known.append(combined(areas.within([side])[0], [share, theorem]))
-    found = of_every_plant(conj(*known))
-    there = numbers_known(inst(found, ARM))
+    there = numbers_known(inst(of_every_plant(conj(*known)), ARM))
     claim: Any = areas.in_polygon(delay, areas.outer(delay)).at(ARM)
     return for_all((alpha, beta), [claim.body.of[0]], there)
 

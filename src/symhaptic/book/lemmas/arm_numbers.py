@@ -101,8 +101,7 @@ def gap(strict: bool = False) -> Theorem:
     given = (DEVICE, gamma >= 0, SLOW)
     implied = Implies((both(given), claim))
     free = disch(add_assum(_undamped(), *(undamped(p) for p in given)), *map(undamped, given))
-    found = damped_or_not(implied, disch(add_assum(damped, *given), *given), free)
-    return undisch(found)
+    return undisch(damped_or_not(implied, disch(add_assum(damped, *given), *given), free))
 
 
 def undamped(claim: object) -> Proposition:

@@ -51,8 +51,7 @@ def twice_the_damping(rule: Any) -> Theorem:
     damped = here.show(b > 0), here.show(2 * b - K * T >= 0)
     place = Symbol("q")
     at_once = subst(whole(place), place, fact(whole(0)), show(Eq(S.Zero, d), Eq(d, 0)))
-    found = _stable(margins, *damped, Eq(B, 0))
-    return SI.closed(closed(found, at_once))
+    return SI.closed(closed(_stable(margins, *damped, Eq(B, 0)), at_once))
 
 
 @cache

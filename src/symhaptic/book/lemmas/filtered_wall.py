@@ -80,8 +80,7 @@ def enough() -> Theorem:
 def decides() -> Theorem:
     """passive <=> both bounds, for K >= 0."""
     bounds = And((FAST, SLOW))
-    there = prove_hyp(enough(), assume(bounds))
-    return either_way(there, needed(), bounds, AVERAGED)
+    return either_way(prove_hyp(enough(), assume(bounds)), needed(), bounds, AVERAGED)
 
 
 @cache

@@ -102,8 +102,7 @@ def _push() -> Theorem:
     room, way = (on_box(f, box(0)) for f in (inside, toward))
     products = [value > 0], [pushed()[1], way, -gamma < alpha], turn(inside * PUSH - value)
     product = positive(inside * PUSH > 0, *products)
-    found = over(PUSH > 0, product, room)
-    return closed(found, positive(Ne(inside, 0), [room]))
+    return closed(over(PUSH > 0, product, room), positive(Ne(inside, 0), [room]))
 
 
 def softer(delay: int) -> Expr:

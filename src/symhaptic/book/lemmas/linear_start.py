@@ -76,8 +76,7 @@ def width() -> Theorem:
     mass, line = (conjunct(known, p) for p in known.conclusion.parts[2:4])
     first = positive(BY_NUMBERS[s_1] >= 0, [line], [delta >= 0], [HALF, gamma >= 0])
     sprung = [HALF, d >= 0, d >= 0, gamma >= 0], [HALF, d >= 0, gamma >= 0]
-    found = positive(WIDTH > 0, [mass], [d >= 0, first], [first], *sprung)
-    return closed(found, *divisors())
+    return closed(positive(WIDTH > 0, [mass], [d >= 0, first], [first], *sprung), *divisors())
 
 
 @cache

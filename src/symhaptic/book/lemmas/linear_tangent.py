@@ -77,8 +77,7 @@ def _only() -> Theorem:
         rows = [[times, *row] for row in (*sums, *late, rest)]
         less = _sum(of <= 0, rows, [flat, -2 * S(times)])
         zeros.append(both_ways(less, positive(of >= 0, of >= 0)))
-    found = conj(*reversed(zeros))
-    return disch(closed(found, *apart({})), *_ON)
+    return disch(closed(conj(*reversed(zeros)), *apart({})), *_ON)
 
 
 def _sum(claim: object, rows: list[list[object]], equation: list[object]) -> Theorem:

@@ -101,8 +101,7 @@ def more_damped_is_stable() -> Theorem:
     begin = dict(zip(START, (alpha, beta), strict=True))
     still = for_all([WAY], [WAY >= 0, WAY < 1], add_assum(assume(BARE), WAY >= 0, WAY < 1))
     right = of_every_plant(conjunct(needed(), alpha > -gamma))
-    found = closed(inst(grows(), begin), still, closed(right, above_minus_one()))
-    return HEAVY.closed(found)
+    return HEAVY.closed(closed(inst(grows(), begin), still, closed(right, above_minus_one())))
 
 
 def kept() -> Theorem:

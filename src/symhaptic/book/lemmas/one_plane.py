@@ -111,8 +111,7 @@ def _at_each(theorem: Theorem, delays: Any) -> Theorem:
         for choice in delays.of:
             value = choice.terms[1]
             equal = combined(Relation(value, "=", d), [assume(choice), -S.One])
-            there = fact(hypothesis.at({d: value}))
-            cases.append(subst(hypothesis, d, there, equal))
+            cases.append(subst(hypothesis, d, fact(hypothesis.at({d: value})), equal))
         theorem = closed(theorem, disj_cases(assume(delays), *cases))
     return theorem
 

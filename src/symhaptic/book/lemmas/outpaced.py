@@ -62,8 +62,7 @@ def on_this_side(side: Side, delay: int, angle: Expr, ranges: Ranges) -> Theorem
     given away.
     """
     p, q, limit = side
-    there = {d: S(delay), theta: angle}
-    known = closed(inst(room(), there), fact(whole(S(delay))))
+    known = closed(inst(room(), {d: S(delay), theta: angle}), fact(whole(S(delay))))
     value = known.conclusion.right  # type: ignore[attr-defined]
     other = beta if p != 0 else alpha
     over_, along = sp.symbols("u v")

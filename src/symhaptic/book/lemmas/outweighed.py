@@ -71,5 +71,4 @@ def stable_behind_every_delay() -> Theorem:
     readings = loop_of_device(NUMBERS, (LATE, S.Zero, *LOOP[2:]))
     loop: Any = conjunct(readings, readings.conclusion.parts[1])
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
-    found = inst(of_every_plant(closed(mp(loop, zeros), *steps)), ARM)
-    return numbers_known(found)
+    return numbers_known(inst(of_every_plant(closed(mp(loop, zeros), *steps)), ARM))

@@ -21,8 +21,7 @@ def margin_to_the_end(margin_: Expr = MARGIN) -> Theorem:
     last = in_the_limit(below, theta, sp.S.Zero, pi, limit)
     last = prove_hyp(last, number(sp.Lt(0, pi, evaluate=False)))
     equal = both_ways(assume(theta >= pi), assume(theta <= pi))
-    there = subst(margin_ >= 0, theta, last, equal)
-    return disj_cases(ordered(theta, pi), below, there)
+    return disj_cases(ordered(theta, pi), below, subst(margin_ >= 0, theta, last, equal))
 
 
 @cache

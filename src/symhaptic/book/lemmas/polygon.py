@@ -252,7 +252,6 @@ def all_stable(arm: Arm, delay: int, corners: tuple[Wall, ...]) -> Theorem:
     zeros = inst(roots_stay(first, change, z, y, theta, crossing, at_one, begin), here)
     readings = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late))
     reading = inst(conjunct(readings, readings.conclusion.parts[1]), here)
-    stable = mp(reading, zeros)
-    found = choose(device_exists(*arm, NUMBERS), closed(stable, fact(whole(late))))
+    found = choose(device_exists(*arm, NUMBERS), closed(mp(reading, zeros), fact(whole(late))))
     found = numbers_known(found)
     return for_all((alpha, beta), within(sides(corners)), found)

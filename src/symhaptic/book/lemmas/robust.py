@@ -98,8 +98,7 @@ def none_stiffer(delay: int, damper: Rational) -> tuple[Expr, Theorem]:
     spring = softest(delay, damper)
     limit, softer = none_above((spring, damper), delay)
     ends = [fact(p.at({gamma: spring})) for p in conjuncts(held.conclusion.body.of[0])]  # type: ignore[attr-defined]
-    there = at(held, {gamma: spring}, *ends)
-    return limit, closed(softer, there)
+    return limit, closed(softer, at(held, {gamma: spring}, *ends))
 
 
 def _undelayed(damper: Rational, held: Theorem) -> tuple[Expr, Theorem]:

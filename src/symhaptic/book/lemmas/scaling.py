@@ -103,8 +103,7 @@ def with_the_stiffness(stiffer: Symbol) -> Theorem:
     same = combined(Eq(stiffer / HEAVY, K / m), [equally, 1 / HEAVY])
     known = [equally, None, None, None]
     there, back = moved(assume(before), after, known), moved(assume(after), before, known)
-    found = conj(same, either_way(there, back, before, after))
-    return closed(found, *APART)
+    return closed(conj(same, either_way(there, back, before, after)), *APART)
 
 
 @cache

@@ -94,8 +94,7 @@ class Moved:
 
     def eased(self) -> Theorem:
         """0 < 1 - eta."""
-        claim = Relation(S.Zero, "<", 1 - self.share)
-        return combined(claim, [self.high], [1 - 2 * THICK])
+        return combined(Relation(S.Zero, "<", 1 - self.share), [self.high], [1 - 2 * THICK])
 
     def first(self, wanted: Any) -> Theorem:
         """The zero at 1 is inside."""
@@ -251,8 +250,7 @@ def springs_alike() -> Theorem:
     parts = []
     for claim, made in zip(walls.body.of, (kept, filled), strict=True):  # type: ignore[attr-defined]
         parts.append(disch(both_orders(made), claim.of[0]))
-    inner = gen(conj(*parts), alpha, beta)
-    return as_claimed(alike(), inner)
+    return as_claimed(alike(), gen(conj(*parts), alpha, beta))
 
 
 @cache

@@ -9,8 +9,7 @@ def polynomial_at(point: Mapping[Symbol, Expr]) -> Theorem:
     values = [point[s] for s in (alpha, beta, gamma, delta, d)]
     parts = {"stiffness": point[gamma] != 0, "damping": point[delta] != 0}
     share = sp.Rational(point[d]).q
-    found = loop_substituted(values, z, share, **parts)
-    return closed(found, fact(whole(share * point[d])))
+    return closed(loop_substituted(values, z, share, **parts), fact(whole(share * point[d])))
 
 
 def stable_at(point: Mapping[Symbol, Expr]) -> Theorem:

@@ -126,5 +126,4 @@ def of_delay(claim: Proposition) -> Theorem:
     late = inst(stable_wall(1, LATE, RANGES), ARM)
     most = inst(no_stiffer(0, CORNER[0], HERE), ARM)
     late, most = map(numbers_known, (late, most))
-    found = conj(less, beside(digits, late, best, from_bound(most)))
-    return as_claimed(claim, found)
+    return as_claimed(claim, conj(less, beside(digits, late, best, from_bound(most))))

@@ -176,8 +176,7 @@ def _stable(held: Proposition, turn: Expr, given: Given) -> Theorem:
 def pushes(held: Proposition) -> Theorem:
     """``held`` is false of a wall with 0 <= alpha."""
     here = Given(d >= 0)
-    stable = _stable(held, pi / (2 * d + 2), here)
-    return here.closed(closed(excluded(), stable))
+    return here.closed(closed(excluded(), _stable(held, pi / (2 * d + 2), here)))
 
 
 def pulls(held: Proposition) -> Theorem:
@@ -188,8 +187,7 @@ def pulls(held: Proposition) -> Theorem:
     stable = _stable(held, turn, here)
     here.have(-alpha * (1 - alpha + alpha**2) >= 0)
     here.have(turn**2 + alpha <= 0)
-    found = without(turn**2, here.closed(inst(pulled(), {x: turn})))
-    return here.closed(closed(found, stable))
+    return here.closed(closed(without(turn**2, here.closed(inst(pulled(), {x: turn}))), stable))
 
 
 def vanishes(held: Proposition) -> Theorem:

@@ -84,8 +84,7 @@ def off_the_border(frequencies: Any, sufficient: Theorem, needed: Theorem) -> Th
         positive(Ne(2 * T, 0), [2, T > 0]),
     )
     apart = strictly(needed, assume(Ne(b, BORDER)))
-    there = disj_cases(assume(OFF_BORDER), calm, apart)
-    return either_way(there, sufficient, frequencies, SIX)
+    return either_way(disj_cases(assume(OFF_BORDER), calm, apart), sufficient, frequencies, SIX)
 
 
 def middle_inside() -> tuple[Theorem, Theorem]:

@@ -113,5 +113,4 @@ def closed_form() -> Theorem:
         for_all((alpha, beta), [most.body.of[0]], none_stiffer()),
         for_all((alpha,), conjuncts(reached.body.of[0]), all_softer()),
     ]
-    found = as_claimed(plants, conj(*parts))
-    return as_claimed(claim(), found)
+    return as_claimed(claim(), as_claimed(plants, conj(*parts)))

@@ -28,8 +28,7 @@ def in_own_units() -> Theorem:
 def same_loop(other: Terms) -> Theorem:
     """X H of one loop is that of another with the same numbers, its symbols put for these."""
     here = mp(in_own_units(), assume(DELAYED))
-    there = inst(here, other)
-    equal = one_answer(here, there)
+    equal = one_answer(here, inst(here, other))
     alive = turns(assume(DELAYED))
     wall = K + B * (z - 1) / (T * z)
     sides = [(wall * X).xreplace(values) for values in ({}, other)]

@@ -23,8 +23,7 @@ def met(point: Mapping[Expr, Expr], *products: Any) -> Theorem:
     """(5) at every frequency for the wall of a point."""
     frequencies = passive().at(point)
     given, relation = frequencies.body.of  # type: ignore[attr-defined]
-    found = closed(combined(relation, *products), *divisors(omega))
-    return for_all([omega], given.of, found)
+    return for_all([omega], given.of, closed(combined(relation, *products), *divisors(omega)))
 
 
 def unstable(point: Mapping[Expr, Expr]) -> Theorem:

@@ -89,8 +89,7 @@ def _positive(line: Expr, symbol: Symbol, above: Theorem) -> Theorem:
 
 def passive_at(passive: Theorem, values: Any) -> Theorem:
     """The passive wall of maximum stiffness beside another damper."""
-    found = inst(passive, values)
-    return numbers_known(found)
+    return numbers_known(inst(passive, values))
 
 
 def _gap(low: Expr, high: Expr, damper: Theorem, heavier: Theorem) -> Theorem:

@@ -149,8 +149,7 @@ FACTOR = Symbol("c")
 
 def within_a_factor(best: Proposition, others: Proposition) -> Proposition:
     """Some stable wall is not outdone by more than some factor."""
-    some = outdoes(best, others, alpha < FACTOR * x)
-    return Exists((FACTOR,), both([FACTOR > 0, some]))
+    return Exists((FACTOR,), both([FACTOR > 0, outdoes(best, others, alpha < FACTOR * x)]))
 
 
 @claims("s6-damping-any-delay")
