@@ -33,9 +33,7 @@ def derive(page):
     ):
         page.lemma(f"The exponential lies above these bounds: {of}", theorem)
     found = page.lemma(
-        "With a lag no wall of a free mass above the line is stable",
-        below_the_line(),
-        boxed=True,
+        "With a lag no wall of a free mass above the line is stable", below_the_line(), boxed=True
     )
     wall = {K: Rational(18, 100), B: Rational(56, 100), T: S.One, m: S.One, tau_a: S.One}
     page.settle(
@@ -64,8 +62,7 @@ def derive(page):
     )
     slow = {K: Rational(4, 100), B: S.Half, T: S.One, m: S.One, tau_a: S(5)}
     page.lemma(
-        "With a lag of five periods $K=\\frac4{100}$, $B=\\frac12$ is stable",
-        holds(LAGGING, slow),
+        "With a lag of five periods $K=\\frac4{100}$, $B=\\frac12$ is stable", holds(LAGGING, slow)
     )
     late = late | {alpha: slow[K], beta: slow[B], d: S(5)}
     page.lemma(

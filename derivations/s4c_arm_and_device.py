@@ -112,7 +112,5 @@ def _limits(page):
         conj(*limits(page.claim("s4c-independent-limits"))),
     )
     page.settle(
-        "s4c-independent-limits",
-        found,
-        example=PLAIN | dict.fromkeys((x, y, y_D, y_H), S.One),
+        "s4c-independent-limits", found, example=PLAIN | dict.fromkeys((x, y, y_D, y_H), S.One)
     )

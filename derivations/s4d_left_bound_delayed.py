@@ -100,11 +100,7 @@ def _settled(page):
         "for $d=1$ if $\\gamma<2\\delta$",
         claim=claim,
     )
-    page.settle(
-        "left-bound-damped",
-        found,
-        example=(easy, there),
-    )
+    page.settle("left-bound-damped", found, example=(easy, there))
 
 
 def soft_spring(page):

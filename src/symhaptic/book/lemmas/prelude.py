@@ -121,12 +121,7 @@ from symhaptic.paper.propositions.prelude import transcribed
 from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
 from symhaptic.paper.reading import read
 from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.analysis import (
-    above_its_start,
-    in_the_limit,
-    increases,
-    induction,
-)
+from symhaptic.proof.theorems.analysis import above_its_start, in_the_limit, increases, induction
 from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.familiar import (
     axiom,

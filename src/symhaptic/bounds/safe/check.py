@@ -263,10 +263,7 @@ def _enclosed(loops: Loops, arc: Ends, hands: Hands) -> tuple[arb, arb, arb, arb
     turned = acb((lag * theta).cos(), (lag * theta).sin()) * acb(right, -aside) / size
     ahead = acb(((d + 1) * theta).cos(), ((d + 1) * theta).sin()) * acb(right, -aside) / size
     half = (theta / 2).cos()
-    heavy = (
-        mass[0] * (2 * (low / 2).sin() / T) ** 2,
-        mass[1] * (2 * (high / 2).sin() / T) ** 2,
-    )
+    heavy = (mass[0] * (2 * (low / 2).sin() / T) ** 2, mass[1] * (2 * (high / 2).sin() / T) ** 2)
 
     def pushed(c: arb) -> arb:
         return _between(heavy, weight * c) - _between(stiffness, c)

@@ -42,12 +42,7 @@ from symhaptic.proof.theorems.kernel import (
     relation,
     spec,
 )
-from symhaptic.proof.theorems.leaves import (
-    broken,
-    combined,
-    is_whole,
-    number,
-)
+from symhaptic.proof.theorems.leaves import broken, combined, is_whole, number
 from symhaptic.proof.theorems.roots import first_minors
 
 
