@@ -149,8 +149,7 @@ def right_of_the_line(delay: Expr) -> Theorem:
     """A stable wall has alpha < alpha', on the line, for a damped device and an integer delay."""
     late = Relation(d, "=", delay)
     static, pushed = at_rest()
-    readings = loop_of_device(NUMBERS, (OTHER, beta, gamma, delta, delay))
-    loop = conjunct(readings, readings.conclusion.parts[1])
+    loop = by_zeros(OTHER, beta, gamma, delta, delay)
     zeros = loop.conclusion.parts[1].terms[0]
     left = show(-gamma - OTHER >= 0, -gamma >= OTHER)
     value = combined(zeros.subs(z, 1) <= 0, [pushed, left], [static, 1])

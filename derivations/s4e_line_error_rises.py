@@ -61,4 +61,8 @@ def settle(page):
         "long as $\\beta\\le0$, and is less than 2\\,\\% there",
         claim=claim,
     )
-    page.settle("linear-error-rises", risen(), example={gamma: 0, delta: 0, beta: -1, LATER[1]: 0})
+    page.settle(
+        "linear-error-rises",
+        risen(),
+        example={gamma: 0, delta: 0, beta: -1, LATER[1]: 0},
+    )

@@ -28,12 +28,8 @@ PLANT: areas.Wall = (ARM[gamma], ARM[delta])
 @cache
 def lowest(delay: int) -> Theorem:
     """A first minor of Hurwitz' is positive for every stable wall: linear in alpha and beta."""
-    loops = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, S(delay)))
-    loop: Any = conjunct(loops, loops.conclusion.parts[1])
-    zeros = mp(loop, assume(loop.conclusion.of[0]))
-    found = first_minors(zeros, 1)
-    first, second = conjuncts(found.conclusion)
-    assert first
+    found = first_minors(zeros_of_stable(alpha, beta, gamma, delta, S(delay)), 1)
+    _, second = conjuncts(found.conclusion)
     return closed(conjunct(found, second), fact(whole(S(delay))))
 
 

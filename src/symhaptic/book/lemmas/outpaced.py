@@ -37,12 +37,8 @@ ROOM = sp.Add(
 @cache
 def room() -> Theorem:
     """0 < ROOM of a stable wall, for a whole d and every theta."""
-    readings = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, d))
-    loop: Any = conjunct(readings, readings.conclusion.parts[1])
-    zeros = mp(loop, assume(loop.conclusion.of[0]))
-    found = combined(Relation(S.Zero, "<", ROOM), [outpaces(zeros, theta)])
-    steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
-    return closed(found, *steps)
+    zeros = zeros_of_stable(alpha, beta, gamma, delta, d)
+    return closed(combined(Relation(S.Zero, "<", ROOM), [outpaces(zeros, theta)]), *LATER_WHOLE)
 
 
 def at_point(expr: Expr, ranges: Ranges) -> Theorem:

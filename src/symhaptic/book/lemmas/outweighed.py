@@ -68,7 +68,5 @@ def stable_behind_every_delay() -> Theorem:
     )
     begin = all_inside(z, d + 1, device_comes_to_rest(device))
     zeros = roots_stay(z ** (d + 1) * plant, wall, z, y, theta, no_crossing(), at_one, begin)
-    readings = loop_of_device(NUMBERS, (LATE, S.Zero, *LOOP[2:]))
-    loop: Any = conjunct(readings, readings.conclusion.parts[1])
-    steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
-    return numbers_known(inst(of_every_plant(closed(mp(loop, zeros), *steps)), ARM))
+    found = closed(mp(by_zeros(LATE, S.Zero, *LOOP[2:]), zeros), *LATER_WHOLE)
+    return numbers_known(inst(of_every_plant(found), ARM))

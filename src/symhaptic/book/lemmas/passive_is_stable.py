@@ -62,10 +62,9 @@ def no_crossing() -> Theorem:
 def passive_is_stable() -> Theorem:
     """stable, from the margin at every angle, 0 <= gamma, 0 < delta, 0 < alpha + gamma, d whole."""
     stable = turned_up(d + 1, n_1 * z + n_0, no_crossing())
-    steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
     found = loop_of_device(NUMBERS, LOOP)
     readings = [conjunct(found, reading) for reading in found.conclusion.of]  # type: ignore[attr-defined]
-    both = conj(*(mp(reading, closed(stable, *steps)) for reading in readings))
+    both = conj(*(mp(reading, closed(stable, *LATER_WHOLE)) for reading in readings))
     return choose(device_exists(gamma, delta, NUMBERS), both)
 
 

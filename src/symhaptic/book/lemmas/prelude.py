@@ -231,6 +231,20 @@ INSIDE = (theta > 0, theta < pi)
 NUMBERS = (n_1, n_0, a, e)
 DEVICE = Predicate("device", (), (gamma, delta, *NUMBERS))
 """A device in units of its mass and of the period, and the numbers of it that is sampled."""
+LATER_WHOLE = tuple(is_whole(d + n, assume(whole(d))) for n in (1, 2, 3))
+"""d + 1, d + 2 and d + 3 are whole if d is."""
+
+
+def by_zeros(*wall: Any) -> Theorem:
+    """stable <=> all zeros of z^(d+1) A + N W inside; of alpha, beta, gamma, delta, a whole d."""
+    readings = loop_of_device(NUMBERS, wall)
+    return conjunct(readings, readings.conclusion.parts[1])
+
+
+def zeros_of_stable(*wall: Any) -> Theorem:
+    """All these zeros lie inside, of a wall that is stable."""
+    loop = by_zeros(*wall)
+    return mp(loop, assume(loop.conclusion.parts[0]))
 
 
 def of_every_plant(theorem: Theorem) -> Theorem:

@@ -36,8 +36,7 @@ WALLS: dict[int, Wall] = {
 @cache
 def stable_beside_all(delay: int) -> Theorem:
     """A wall of WALLS is robustly stable, by Jury's inequalities for each spring."""
-    loops = loop_of_device(NUMBERS, (*WALLS[delay], gamma, delta, S(delay)))
-    loop: Any = conjunct(loops, loops.conclusion.parts[1])
+    loop: Any = by_zeros(*WALLS[delay], gamma, delta, S(delay))
     zeros = loop.conclusion.of[1].of[0]
     criterion = closed(chained(loop, jury(zeros, z)), fact(whole(S(delay))))
     goals = conjuncts(criterion.conclusion.of[1])  # type: ignore[attr-defined]

@@ -30,8 +30,7 @@ def unstable_at(point: Mapping[Symbol, Expr]) -> Theorem:
 def by_inequalities(delay: int) -> Theorem:
     """stable <=> Jury's inequalities, in the four numbers of the device, for an integer delay."""
     late = sp.Integer(delay)
-    readings = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late))
-    loop = conjunct(readings, readings.conclusion.parts[1])
+    loop = by_zeros(alpha, beta, gamma, delta, late)
     zeros: Any = loop.conclusion.parts[1]
     return closed(chained(loop, jury(zeros.of[0], z)), fact(whole(late)))
 

@@ -61,9 +61,7 @@ def inequalities(delay: int) -> tuple[Theorem, ...]:
 def damping_between(delay: int, ranges: Ranges, widest: Expr = WIDEST) -> tuple[Theorem, ...]:
     """-2.1 <= beta <= 2.1 and n_0 beta < 1 of a stable wall: n_0 beta is a product of zeros."""
     late = S(delay)
-    loop = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late))
-    reading: Any = conjunct(loop, loop.conclusion.parts[1])
-    zeros = mp(reading, assume(reading.conclusion.of[0]))
+    zeros = zeros_of_stable(alpha, beta, gamma, delta, late)
     last = closed(last_coefficient(zeros), fact(whole(late)))
     low, high = (conjunct(last, p) for p in conjuncts(last.conclusion))
     weight, room = (on_box(f, ranges) for f in (n_0, widest * n_0 - 1))
