@@ -34,7 +34,7 @@ def kept(time: Expr, way: Expr) -> Expr:
     return exp(RISE * time) + FALL * way
 
 
-TRIED = (
+BY_TRANSITION = (
     (gamma, SPRING),
     (h, impulse(S.One)),
     (v, kept(S.One, h)),
@@ -81,7 +81,7 @@ def device_block(*which: int, polynomial: bool = False) -> Block:
     free = (c, delta, *((alpha, beta, z) if more else ()))
     point = POINT | ({alpha: S.One, beta: S.One, z: S(2)} if more else {})
     where = APART if 8 in which else APART[:2]
-    return Block(free, where, TRIED, (*pairs, *more), point, _poles)
+    return Block(free, where, BY_TRANSITION, (*pairs, *more), point, _poles)
 
 
 def _polynomial() -> Relation:
@@ -144,7 +144,7 @@ def _late() -> Block:
     at_minus_one = m_2 - m_1 + m_0
     exact = m_2, m_0, m_2 + m_1 + m_0, at_minus_one, m_1, 2 * (m_2 - m_0), at_minus_one
     where = (*APART, *map(proposition, (Ne(epsilon, 0), Ne(epsilon, 1))))
-    names = (*TRIED[:5], *first_names, *last_names, *AFTER)
+    names = (*BY_TRANSITION[:5], *first_names, *last_names, *AFTER)
     pairs = tuple(Relation(x, "=", y) for x, y in zip(ours, exact, strict=True))
     return Block((c, delta, epsilon), where, names, pairs, POINT | {epsilon: S.Half}, _parts)
 
