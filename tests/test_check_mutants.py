@@ -430,7 +430,7 @@ MUTANTS = {
 
 
 SEARCHES = "delay_margin", "max_delay"
-FEW = 1000
+FEW = 100
 """Points of a first run: what it refuses, the default run of ten times as many refuses, too."""
 ENOUGH = 25
 """Wrong results among those that are compared, after which the others count as right."""
