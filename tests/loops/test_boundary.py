@@ -165,3 +165,20 @@ def test_region_of_a_paper_loop_is_the_paper_loop_s():
     assert pytest.approx(paper.max_stiffness.K, rel=1e-9) == mine.max_stiffness.K
     assert pytest.approx(paper.max_damping.B, rel=1e-9) == mine.max_damping.B
     assert len(mine.corners) == len(paper.corners)
+
+
+@pytest.mark.parametrize("delay", [0, 1, 2, 5])
+def test_next_to_the_stiffest_wall_there_are_dampings(delay):
+    """Of a free mass, a part in 1e9 below: K = 4 t^2 cos((d + 1) theta) with t = tan(theta/2).
+
+    Its walls lie between two angles that differ by less than any grid has.
+    """
+    n = mp.mpf(delay + 1)
+    theta = mp.findroot(lambda x: 2 / mp.sin(x) - n * mp.tan(n * x), 1.07 / n)
+    most = 4 * mp.tan(theta / 2) ** 2 * mp.cos(n * theta)
+    best = 2 * mp.tan(theta / 2) * mp.sin(n * theta) - most / 2
+    trace = Engine(0.0, 0.0, delay, 1.0, 1.0, VELOCITIES["difference"][0], ()).trace
+    [[(low, high)]] = trace.dampings(np.array([float(most) * (1 - 1e-9)]))
+    assert low < best < high
+    assert high - low < 1e-3
+    assert trace.dampings(np.array([float(most) * (1 + 1e-9)])) == [[]]
