@@ -151,3 +151,14 @@ def test_a_scene_with_more_than_a_delay_is_refused():
     scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, velocity=LowPass(cutoff=100.0))
     with pytest.raises(ValueError, match="certified: True is not allowed for a loop with a filter"):
         scene.is_stable(100.0, 1.0, certified=True)
+
+
+def test_a_wall_that_is_clearly_passive_or_not_needs_no_balls(monkeypatch):
+    """They take a thousand times as long."""
+
+    def none(*_):
+        pytest.fail("asked in balls")
+
+    monkeypatch.setattr(certified, "passive", none)
+    assert is_passive([1.9, 2.1], 0.0, 1.0, 0).tolist() == [True, False]
+    assert is_passive(1.9, 0.0, 1.0, 0)

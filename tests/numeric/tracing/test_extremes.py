@@ -185,3 +185,16 @@ def test_a_corner_next_to_pi_is_told_by_its_other_angle(delta, off, stiffest):
     found = max_stable_stiffness((np.pi + off) ** 2, delta, 1)
     assert found.alpha == pytest.approx(stiffest, rel=1e-14)
     assert found.beta == pytest.approx(-stiffest / 2, rel=1e-5)
+
+
+def test_at_whole_delays_both_sheets_have_the_same_stiffest_wall():
+    """z^-d has one value there; found by the kernel, and by a search in Python."""
+    rng = np.random.default_rng(32)
+    gamma, delta = rng.uniform(0, 9.8, 60), rng.uniform(0, 3, 60) * rng.choice([0, 1], 60)
+    for delay in (0, 1):
+        exact = max_stable_stiffness(gamma, delta, delay)
+        assert np.isfinite(exact.alpha).any()
+        for one, other in zip(
+            max_stable_stiffness(gamma, delta, delay, sheet="principal"), exact, strict=True
+        ):
+            assert one == pytest.approx(other, rel=1e-6, nan_ok=True)
