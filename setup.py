@@ -15,7 +15,7 @@ from setuptools.command.build_py import build_py
 
 HERE = Path(__file__).parent
 KERNELS = "src/symhaptic/kernels"
-SOURCES = "ufuncs.cpp", "filter.cpp", "haptic.c", "haptic_single.c"
+SOURCES = "ufuncs.cpp", "filter.cpp", "delay.cpp", "haptic.c", "haptic_single.c"
 
 
 RECORDS = ("ledger.json", "rocq.json", "mutants.json", "bench.json")

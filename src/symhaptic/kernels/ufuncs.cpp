@@ -78,6 +78,27 @@ template <auto f> auto after_filter(double count, double alpha, double beta, dou
     else return Found(haptic_unstable_roots(alpha, beta, gamma, delta, delay));
 }
 
+/* The largest delay where it is proved and the kernel agrees on both of its sides; else NaN. */
+double max_delay(double alpha, double beta, double gamma, double delta) {
+    const double found = filter::largest_delay(alpha, beta, gamma, delta);
+    const bool known = std::isfinite(found);
+    if (!known || gamma > std::fabs(alpha)) { /* else no root has come back */
+        const double begin = haptic_unstable_roots(alpha, beta, gamma, delta, 0);
+        if (begin != 0 || !known) return begin > 0 ? 0 : begin == 0 ? found : NAN;
+    }
+    const double near = 1e-13*(1 + std::floor(found)); /* what the kernel tells apart */
+    const double below = found > near ? found - near : 0;
+    const bool right = haptic_is_stable(alpha, beta, gamma, delta, below)
+                       && haptic_unstable_roots(alpha, beta, gamma, delta, found + near) > 0;
+    return right ? found : NAN;
+}
+
+double delay_margin(double alpha, double beta, double gamma, double delta, double delay) {
+    const double left = max_delay(alpha, beta, gamma, delta) - delay;
+    if (!(delay >= 0) || !(left <= 0)) return delay >= 0 ? left : NAN;
+    return haptic_is_stable(alpha, beta, gamma, delta, delay) ? NAN : 0;
+}
+
 /* Walls with or without a fraction of a period, and where they come from. */
 struct Walls {
     filter::Block block;
@@ -209,12 +230,13 @@ PyObject *outside(PyObject *, PyObject *) {
 template <auto single, auto in_two, class... Of>
 int add(PyObject *module, const char *name, const char *about) {
     using K = Kernel<decltype(in_two), Of...>;
+    using First = typename Kernel<decltype(single), Of...>::T;
     static PyUFuncGenericFunction loops[] = {loop<single, Of...>, loop<in_two, Of...>};
     static void *data[] = {nullptr, nullptr};
     static char types[2*K::all];
     for (int i = 0; i < 2*K::all; ++i)
         types[i] = char(i % K::all >= K::given && K::truth ? NPY_BOOL
-                        : i < K::all ? NPY_FLOAT : NPY_DOUBLE);
+                        : i < K::all && sizeof(First) == 4 ? NPY_FLOAT : NPY_DOUBLE);
     PyObject *made = PyUFunc_FromFuncAndData(loops, data, types, 2, K::given, K::found,
                                              PyUFunc_None, name, about, 0);
     const int failed = made == nullptr || PyModule_AddObjectRef(module, name, made);
@@ -222,12 +244,16 @@ int add(PyObject *module, const char *name, const char *about) {
     return failed;
 }
 
-#define ONE(name, about, ...) \
-    {"one_" #name, (PyCFunction)(void (*)(void))one<haptic_##name, __VA_ARGS__>, METH_FASTCALL, \
+#define SCALAR(name, function, ...) \
+    {"one_" #name, (PyCFunction)(void (*)(void))one<function, __VA_ARGS__>, METH_FASTCALL, \
      "Scalar version; None if an argument is no number or out of range, or a result is NaN."},
+#define ONE(name, about, ...) SCALAR(name, haptic_##name, __VA_ARGS__)
+#define LOOP in_alpha, in_beta, in_gamma, in_delta
 
 PyMethodDef functions[] = {
     KERNELS(ONE)
+    SCALAR(max_delay, max_delay, LOOP)
+    SCALAR(delay_margin, delay_margin, LOOP, in_d)
     {"outside", outside, METH_NOARGS,
      "Whether an argument was NaN or out of range since this thread last asked."},
     {nullptr, nullptr, 0, nullptr}};
@@ -243,6 +269,12 @@ int loaded(PyObject *module) {
         || add<filtered, filtered>(module, "certain_roots",
                "roots outside the circle of (alpha, beta, gamma, delta, d)\n\n"
                "Where doubles with proved bounds are enough; -1 where not, -2 for at least one.\n")
+        || add<max_delay, max_delay, LOOP>(module, "max_delay",
+               "the largest delay of (alpha, beta, gamma, delta)\n\n"
+               "NaN where it needs more than doubles, and where an argument is out of range.\n")
+        || add<delay_margin, delay_margin, LOOP, in_d>(module, "delay_margin",
+               "the delay that may be added to d, of (alpha, beta, gamma, delta, d)\n\n"
+               "NaN where it needs more than doubles, and where an argument is out of range.\n")
         ? -1 : 0;
 }
 

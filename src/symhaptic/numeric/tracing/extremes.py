@@ -13,7 +13,7 @@ from symhaptic.kernels import haptic
 from symhaptic.numeric import arguments, slopes, stability
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.boundary import end, point, tangent
-from symhaptic.numeric.compiled import at_once, of
+from symhaptic.numeric.compiled import at_once, finite, of
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.crossings import wall
 from symhaptic.numeric.extremum import Extremum
@@ -42,7 +42,7 @@ _TRIED = np.geomspace(1e-16, 10.0, 100) * np.array([[-1.0], [1.0]])
 """Stiffnesses that are tried where none is found, in parts of gamma or 1."""
 
 
-@at_once("max_stable_stiffness", into=Extremum, finite=True)
+@at_once("max_stable_stiffness", into=Extremum, sure=finite)
 @kept(Extremum, alpha=float, beta=float, theta=float)
 @slopes.in_jax(
     Extremum._fields, instead="lambdify('max_stable_stiffness', modules='jax') has derivatives"
