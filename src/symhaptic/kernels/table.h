@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#define STAMP "17de829ccd298197"
+#define STAMP "507bd3e4b6f5b59e"
 
 extern "C" {
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,

@@ -81,12 +81,13 @@ template <auto f> auto after_filter(double count, double alpha, double beta, dou
 /* The largest delay where it is proved and the kernel agrees on both of its sides; else NaN. */
 double max_delay(double alpha, double beta, double gamma, double delta) {
     const double found = filter::largest_delay(alpha, beta, gamma, delta);
-    const bool known = std::isfinite(found);
-    if (!known || gamma > std::fabs(alpha)) { /* else no root has come back */
+    const bool known = std::isfinite(found), stronger = gamma > std::fabs(alpha);
+    if (!known || stronger) { /* else no root has come back */
         const double begin = haptic_unstable_roots(alpha, beta, gamma, delta, 0);
         if (begin != 0 || !known) return begin > 0 ? 0 : begin == 0 ? found : NAN;
     }
-    const double near = 1e-13*(1 + std::floor(found)); /* what the kernel tells apart */
+    /* what the kernel mostly tells apart, and less where angles are ill-conditioned */
+    const double near = (stronger ? 2e-14 : 1e-13)*(1 + std::floor(found));
     const double below = found > near ? found - near : 0;
     const bool right = haptic_is_stable(alpha, beta, gamma, delta, below)
                        && haptic_unstable_roots(alpha, beta, gamma, delta, found + near) > 0;
@@ -97,6 +98,44 @@ double delay_margin(double alpha, double beta, double gamma, double delta, doubl
     const double left = max_delay(alpha, beta, gamma, delta) - delay;
     if (!(delay >= 0) || !(left <= 0)) return delay >= 0 ? left : NAN;
     return haptic_is_stable(alpha, beta, gamma, delta, delay) ? NAN : 0;
+}
+
+/* The stiffest stable wall of a damping, on the arc of the boundary on which the damping rises from
+ * theta = 0 past the stiffest wall of all; NaN where it is not there, or the kernel disagrees. */
+void limit_at(double beta, double gamma, double delta, double d, double *alpha, double *theta) {
+    double most, damping, top, stiffness = NAN;
+    *alpha = *theta = NAN;
+    haptic_max_stable_stiffness(gamma, delta, d, &most, &damping, &top);
+    const auto missed = [&](double angle) {
+        double found;
+        haptic_stability_boundary(angle, gamma, delta, d, &stiffness, &found);
+        return found - beta;
+    };
+    const bool beyond = beta > damping;
+    double low = beyond ? top : 1e-3*top, high = top, below = missed(low);
+    double above = beyond ? below : damping - beta;
+    for (int k = 1; k <= 16 && above < 0; ++k) {
+        low = high, below = above;
+        high = top + 0.0625*k*(3.14159 - top)/(1 + d);
+        above = missed(high);
+        if (!(above > below && stiffness > -gamma)) return;
+    }
+    if (!(below <= 0 && above >= 0)) return;
+    double next = high, value = above;
+    for (int k = 0; k < 60 && value != 0 && high - low > 0x1p-51*high; ++k) {
+        next = high - above*(high - low)/(above - below);
+        if (!(next > low && next < high) || k % 8 == 7) next = 0.5*(low + high);
+        value = missed(next);
+        if (value < 0) { /* an end that stays counts half */
+            low = next, below = value, above *= 0.5;
+        } else high = next, above = value, below *= 0.5;
+    }
+    missed(next);
+    const double near = 1e-12*(std::fabs(stiffness) + gamma);
+    bool right = haptic_is_stable(stiffness - near, beta, gamma, delta, d);
+    for (double more : {near, 0.25*(most - stiffness), most - stiffness})
+        right = right && haptic_unstable_roots(stiffness + more + near, beta, gamma, delta, d) > 0;
+    if (right) *alpha = stiffness, *theta = next;
 }
 
 /* Walls with or without a fraction of a period, and where they come from. */
@@ -254,6 +293,7 @@ PyMethodDef functions[] = {
     KERNELS(ONE)
     SCALAR(max_delay, max_delay, LOOP)
     SCALAR(delay_margin, delay_margin, LOOP, in_d)
+    SCALAR(limit_at, limit_at, in_beta, in_gamma, in_delta, in_d)
     {"outside", outside, METH_NOARGS,
      "Whether an argument was NaN or out of range since this thread last asked."},
     {nullptr, nullptr, 0, nullptr}};
@@ -274,6 +314,9 @@ int loaded(PyObject *module) {
                "NaN where it needs more than doubles, and where an argument is out of range.\n")
         || add<delay_margin, delay_margin, LOOP, in_d>(module, "delay_margin",
                "the delay that may be added to d, of (alpha, beta, gamma, delta, d)\n\n"
+               "NaN where it needs more than doubles, and where an argument is out of range.\n")
+        || add<limit_at, limit_at, in_beta, in_gamma, in_delta, in_d>(module, "limit_at",
+               "alpha, theta of (beta, gamma, delta, d)\n\n"
                "NaN where it needs more than doubles, and where an argument is out of range.\n")
         ? -1 : 0;
 }
