@@ -29,7 +29,10 @@ _REMARK = "/* Written by `symhaptic kernels` from the stable forms; do not edit.
 
 _WRITTEN = ("*.py", "*.pyi", "*.c", "table.h")
 
-_BY_HAND = [FOLDER / name for name in ("ufuncs.cpp", "filter.cpp", "filter.h", "delay.cpp")]
+_BY_HAND = [
+    FOLDER / name
+    for name in ("ufuncs.cpp", "filter.cpp", "filter.h", "delay.cpp", "ordinary.cpp", "ordinary.h")
+]
 
 _INSIDE = ("LateDevice",)
 """Routines of the library that are ufuncs, too, for callers that have checked the ranges."""

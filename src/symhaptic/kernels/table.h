@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#define STAMP "507bd3e4b6f5b59e"
+#define STAMP "ad9b7ed0b161556f"
 
 extern "C" {
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,

@@ -16,7 +16,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "filter.h"
+#include "ordinary.h"
 #include "table.h"
 
 namespace {
@@ -188,12 +188,47 @@ bool filtered_loop(char **at, npy_intp size, npy_intp const *steps) {
     return all;
 }
 
+/* What computes blocks of ordinary arguments of a kernel, if there is one. */
+using InBlocks = void (*)(int, const ordinary::Rows &, ordinary::Rows &);
+template <auto f> constexpr InBlocks in_blocks() {
+    if constexpr (any_of<f, haptic_discretize>()) return ordinary::discretize;
+    else if constexpr (any_of<f, haptic_stability_boundary>()) return ordinary::stability_boundary;
+    else if constexpr (any_of<f, haptic_passivity_margin_at>()) return ordinary::passivity_margin_at;
+    else return nullptr;
+}
+
+template <auto f, class... Of>
+bool blocked_loop(char **at, npy_intp size, npy_intp const *steps) {
+    using K = Kernel<decltype(f), Of...>;
+    ordinary::Rows given, found;
+    bool all = true;
+    for (npy_intp begin = 0; begin < size; begin += filter::BLOCK) {
+        const int n = int(size - begin < filter::BLOCK ? size - begin : filter::BLOCK);
+        for (int i = 0; i < K::given; ++i)
+            for (int k = 0; k < n; ++k) given[i][k] = *(double *)(at[i] + (begin + k)*steps[i]);
+        in_blocks<f>()(n, given, found);
+        for (int k = 0; k < n; ++k) {
+            if (found[0][k] == found[0][k]) continue;
+            double x[K::given], y[K::found];
+            for (int i = 0; i < K::given; ++i) x[i] = given[i][k];
+            K::call(f, x, y);
+            for (int i = 0; i < K::found; ++i) found[i][k] = y[i];
+            if (y[0] != y[0]) all &= K::inside(x);
+        }
+        for (int i = 0; i < K::found; ++i)
+            for (int k = 0; k < n; ++k)
+                *(double *)(at[K::given + i] + (begin + k)*steps[K::given + i]) = found[i][k];
+    }
+    return all;
+}
+
 /* One ufunc's inner loop in one precision. */
 template <auto f, class... Of>
 void loop(char **at, npy_intp const *sizes, npy_intp const *steps, void *) {
     using K = Kernel<decltype(f), Of...>;
     bool all = true;
     if constexpr (counts<f>) all = filtered_loop<f, Of...>(at, sizes[0], steps);
+    else if constexpr (in_blocks<f>() != nullptr) all = blocked_loop<f, Of...>(at, sizes[0], steps);
     else for (npy_intp n = 0; n < sizes[0]; ++n) {
         typename K::T x[K::given];
         typename K::Found y[K::found];
@@ -236,12 +271,13 @@ PyObject *one(PyObject *, PyObject *const *args, Py_ssize_t count) {
     if (count != K::given) Py_RETURN_NONE;
     for (int i = 0; i < K::given; ++i)
         if (!given(args[i], x + i)) Py_RETURN_NONE;
-    if constexpr (counts<f>) {
-        char *at[K::given + 1];
+    if constexpr (counts<f> || in_blocks<f>() != nullptr) {
+        char *at[K::all];
         for (int i = 0; i < K::given; ++i) at[i] = (char *)(x + i);
-        at[K::given] = (char *)y;
-        const npy_intp steps[K::given + 1] = {};
-        filtered_loop<f>(at, 1, steps);
+        for (int i = 0; i < K::found; ++i) at[K::given + i] = (char *)(y + i);
+        const npy_intp steps[K::all] = {};
+        if constexpr (counts<f>) filtered_loop<f>(at, 1, steps);
+        else blocked_loop<f>(at, 1, steps);
     } else K::call(f, x, y);
     if (!K::inside(x)) Py_RETURN_NONE;
     for (int i = 0; i < K::found; ++i)
