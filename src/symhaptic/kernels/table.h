@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#define STAMP "ad9b7ed0b161556f"
+#define STAMP "373742a06d8dc6fc"
 
 extern "C" {
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
