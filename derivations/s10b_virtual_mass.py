@@ -60,10 +60,7 @@ def derive(page):
         boxed=True,
     )
     page.settle(
-        BESIDE,
-        found,
-        example=STILL,
-        note="exact without delay, with the walls on the border",
+        BESIDE, found, example=STILL, note="exact without delay, with the walls on the border"
     )
     _alone(page)
     _free(page)

@@ -5,7 +5,6 @@ lowers the damping at which the boundary begins, so that some walls are stable o
 """
 
 from symhaptic.book.lemmas.boundary import CORNER, begins, begins_there
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.paper.propositions.stability import LATER
