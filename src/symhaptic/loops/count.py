@@ -25,6 +25,7 @@ from symhaptic.loops.circle import (
     roots,
     squared,
     value,
+    zeros,
 )
 from symhaptic.loops.loop import Loop
 from symhaptic.numeric.compiled import kernels_used
@@ -214,12 +215,11 @@ def _many(A: Array, W: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
     most = max(1, int(changes.sum(axis=-1).max(initial=0)))
     first = np.sort(np.argsort(~changes, axis=-1, kind="stable")[..., :most], axis=-1)
     low, high = (np.take_along_axis(theta, first + k, axis=-1) for k in (0, 1))
-    before = np.take_along_axis(sign, first, axis=-1)
-    for _ in range(60):
-        middle = (low + high) / 2
-        same = (_lead(A, W, middle) >= 0) == before
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
-    return theta, high, np.take_along_axis(changes, first, axis=-1)
+    return (
+        theta,
+        zeros(lambda at: _lead(A, W, at), low, high),
+        np.take_along_axis(changes, first, axis=-1),
+    )
 
 
 def _lead(A: Array, W: Array, theta: Array) -> Array:

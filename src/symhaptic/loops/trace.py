@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from symhaptic.loops.circle import Array, grid
+from symhaptic.loops.circle import Array, grid, zeros
 from symhaptic.loops.count import crossing, is_stable
 from symhaptic.loops.loop import Loop
 from symhaptic.numeric.extremum import Extremum
@@ -125,13 +125,11 @@ class Trace:
         with np.errstate(invalid="ignore"):
             above = along > given[:, None]
         rows, there = np.nonzero((above[:, 1:] != above[:, :-1]) & self.whole)
-        low, high, wanted = self.theta[there], self.theta[there + 1], given[rows]
-        left = above[rows, there]
-        for _ in range(60):
-            middle = (low + high) / 2
-            same = (boundary(self.loop, middle)[which] > wanted) == left
-            low, high = np.where(same, middle, low), np.where(same, high, middle)
-        theta = (low + high) / 2
+        theta = zeros(
+            lambda at: boundary(self.loop, at)[which] - given[rows],
+            self.theta[there],
+            self.theta[there + 1],
+        )
         other = boundary(self.loop, theta)[1 - which]
         rows, other, theta = self._with_lines(given, which, rows, other, theta)
         order = np.lexsort((other, rows))
