@@ -41,7 +41,7 @@ def under_force(A, b, time):
     return both[:n, :n], both[:n, n]
 
 
-def matrix(A, b, x, v, K, B, delay, wall, kind, virtual_mass=0.0, euler=None):
+def matrix(A, b, x, v, K, B, delay, wall, kind, virtual_mass=0.0, euler=None, coupling=None):
     """One period of the closed loop.
 
     State: the device, then the positions of the last samples, the filter's memory, and the forces

@@ -132,5 +132,5 @@ def _simpler(scene: Scene) -> Iterator[tuple[str, Scene]]:
     for name in ("arm", "delay", "delay_samples", *scene.further):
         value = getattr(scene, name)
         if value is not None and name != "dynamics":
-            other = "hold" if name == "integrator" else None
-            yield f"without {name} the loop gives these results", replace(scene, **{name: other})
+            without: dict[str, Any] = {name: "hold" if name == "integrator" else None}
+            yield f"without {name} the loop gives these results", replace(scene, **without)

@@ -10,7 +10,7 @@ these their turns are principal values.
 from __future__ import annotations
 
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,11 +47,12 @@ def roots_inside(loop: Loop, K: Array, B: Array) -> tuple[Array, Array]:
     """
     K, B, whole = np.broadcast_arrays(K, B, loop.M)
     W = loop.wall(K, B)
-    if _count is not None and not loop.in_z and max(W.shape[-1], loop.A.shape[-1]) <= _MOST:
-        return _compiled(loop, W, K.shape)
+    A = loop.device(K, B)
+    if _count is not None and not loop.in_z and max(W.shape[-1], A.shape[-1]) <= _MOST:
+        return _compiled(A, loop.M, W, K.shape)
     rows = K.size
     W = W.reshape(rows, W.shape[-1])
-    A = np.broadcast_to(loop.A, (*K.shape, loop.A.shape[-1])).reshape(rows, loop.A.shape[-1])
+    A = np.broadcast_to(A, (*K.shape, A.shape[-1])).reshape(rows, A.shape[-1])
     delays, ends = whole.reshape(rows, 1), _ends(A, W, loop.in_z)
     inside, near, left = np.empty(rows), np.empty(rows), np.arange(rows)
     for deep in range(_DEEPEST + 1):
@@ -111,10 +112,10 @@ _MOST = 17
 """Coefficients for which the compiled loop has room."""
 
 
-def _compiled(loop: Loop, W: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
+def _compiled(A: Array, M: NDArray[Any], W: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
     """The same, compiled."""
     inside, near = np.empty(shape), np.empty(shape)
-    A, M = loop.A, np.asarray(loop.M, dtype=float)
+    M = np.asarray(M, dtype=float)
     if M.size > 1 or A.ndim > 1:
         A, M = np.broadcast_to(A, (*shape, A.shape[-1])), np.broadcast_to(M, shape)
     rows = (np.ascontiguousarray(each, dtype=float) for each in (A, W, M))
@@ -261,7 +262,10 @@ _AROUND = np.array([-9.0, -3.0, -1.0, -0.3, 0.0, 0.3, 1.0, 3.0, 9.0])
 
 
 def crossing(loop: Loop, theta: Array) -> tuple[Complex, Complex, Complex, Complex]:
-    """z^M A, X, Y and E at angles that broadcast with the loops."""
+    """z^M A, all that K, B and 1 are the factors of, at angles that broadcast with the loops."""
     A, at = value(loop.A, point(theta, False)), point(theta, loop.in_z)
     X, Y, E = (value(q, at) for q in (loop.X, loop.Y, loop.E))
-    return np.exp(1j * loop.M * theta) * A, X, Y, E
+    late = np.exp(1j * loop.M * theta)
+    if loop.ahead:
+        X, Y = (q + late * value(own, at) for q, own in zip((X, Y), loop.ahead, strict=True))
+    return late * A, X, Y, E

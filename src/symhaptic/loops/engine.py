@@ -24,6 +24,7 @@ from symhaptic.loops.plant import (
     moving_mass,
     semi_implicit_euler,
 )
+from symhaptic.loops.structure import Coupling
 from symhaptic.loops.trace import LONGEST, Trace, boundary
 from symhaptic.loops.velocity import Measured, Velocity
 
@@ -67,6 +68,7 @@ class Engine:
     integrator: str = "hold"
     virtual_mass: float = 0.0
     """Of the wall, in kg."""
+    coupling: Coupling | None = None
 
     @property
     def plant(self) -> Plant:
@@ -96,6 +98,7 @@ class Engine:
             self.velocity,
             self.period,
             self.virtual_mass / self.mass,
+            None if self.coupling is None else self.coupling.without_units(self.mass, self.period),
         )
 
     @cached_property
@@ -117,6 +120,7 @@ class Engine:
             (bool(self.parts), "(4) is of a mass on which the force acts at once"),
             (isinstance(self.velocity, Oversampled), "velocity=Oversampled(): (4) is of one rate"),
             (isinstance(self.velocity, Measured), "velocity=Measured(): (4) is of positions alone"),
+            (self.coupling is not None, "coupling: (4) is of a wall without a coupling"),
             (self.delay % 1, "delay: with a filter (4) is of whole periods"),
         ):
             if given:
@@ -251,7 +255,8 @@ class Engine:
         """The angles of |A| = |W| at each delay, and the phase between z^M A and -W there."""
         loop = self.at_delay(delays)
         alpha, beta, M = np.broadcast_arrays(alpha, beta, loop.M)
-        A = np.broadcast_to(loop.A, (*M.shape, loop.A.shape[-1]))
+        A = loop.device(np.asarray(alpha), np.asarray(beta))
+        A = np.broadcast_to(A, (*M.shape, A.shape[-1]))
         W = loop.wall(alpha, beta)
         theta = count.equal(A, W, loop.in_z)
         late = np.exp(1j * M[..., None] * theta) * value(A[..., None, :], point(theta, False))
