@@ -5,12 +5,13 @@ treat this lag as an additional delay of $\tau_a$. For a free mass we derive the
 with the lag, and ask whether the advice is conservative.
 """
 
-from sympy import Matrix
+from sympy import Matrix, Poly, cos, exp, eye, pi, sin
 
 from symhaptic.book.lemmas.circulation import outside
 from symhaptic.book.lemmas.decided import SI, escapes
 from symhaptic.book.lemmas.held_motion import show_motion
 from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.loops.actuator import lagging
 from symhaptic.loops.plant import moving_mass
 from symhaptic.notation import tau_a
@@ -70,6 +71,54 @@ def derive(page):
     page.lemma(
         "With a delay of five periods $K=\\frac4{100}$, $B=\\frac12$ is not stable", outside(late)
     )
+    _with_a_spring(page)
+
+
+def _with_a_spring(page):
+    """A device that swings: there a delay may be worth more than the lag."""
+    lag, swing = LAG, pi / 2
+    device = lagging(moving_mass(swing**2), lag)
+    page.say(
+        "A device with a spring is different. Take one without damping that swings once in four "
+        "periods, $\\gamma=\\pi^2/4$. Its motion with the lag is again $\\Phi(t)$ times the state "
+        "and $\\Gamma(t)F$:"
+    )
+    fall, turn, rise = exp(-t / lag), cos(swing * t), sin(swing * t)
+    pulled = lag**2 / (1 + swing**2 * lag**2) * (fall - turn + rise / (swing * lag))
+    held = (1 - turn) / swing**2 - pulled
+    phi = Matrix(
+        [
+            [turn, rise / swing, pulled],
+            [-swing * rise, turn, pulled.diff(t)],
+            [0, 0, fall],
+        ]
+    )
+    push = Matrix([held, held.diff(t), 1 - fall])
+    show_motion(page, device, (phi, push), "xvu", "obeys the equations of spring and actuator")
+    wall = {alpha: swing**2 / 10, beta: swing**2 / 20, gamma: swing**2, delta: S.Zero, d: S(3)}
+    polynomial = closed_loop(phi, push, wall).subs(lag, wall[d])
+    page.lemma(
+        "With a delay of three periods $\\alpha=\\frac{\\pi^2}{40}$, $\\beta=\\frac{\\pi^2}{80}$ "
+        "is stable",
+        stable_at(wall),
+    )
+    page.lemma(
+        "With a lag of three periods it is not",
+        root_outside(Poly(polynomial, z).as_expr(), z),
+        because="the delay of three quarters of a swing turns the spring of the wall into a damper",
+    )
+    page.say(
+        "So it is not true of every device that a lag never costs more than its delay. A lag turns "
+        "the phase by less than a right angle and cannot replace such a delay."
+    )
+
+
+def closed_loop(phi, held, wall):
+    """The polynomial of a device behind a lag, with the position of the sample before as state."""
+    one, moved = phi.subs(t, 1), held.subs(t, 1)
+    step = Matrix(4, 4, lambda i, j: one[i, j] if i < 3 and j < 3 else int((i, j) == (3, 0)))
+    push = Matrix([*moved, 0]) * Matrix([[wall[alpha] + wall[beta], 0, 0, -wall[beta]]])
+    return (z * eye(4) - step + push).det(method="berkowitz")
 
 
 def _loop(page):
@@ -86,12 +135,9 @@ def _loop(page):
     phi = Matrix([[1, t, tau * (t - slip)], [0, 1, slip], [0, 0, fall]])
     held = Matrix([t**2 / 2 - tau * (t - slip), t - slip, 1 - fall])
     show_motion(page, device, (phi, held), "xvu", "obeys the equations of device and actuator")
-    one, moved = phi.subs(t, 1), held.subs(t, 1)
-    step = Matrix(4, 4, lambda i, j: one[i, j] if i < 3 and j < 3 else int((i, j) == (3, 0)))
-    push = Matrix([*moved, 0]) * Matrix([[alpha + beta, 0, 0, -beta]])
     page.step(
         "With the position of the sample before as fourth state the loop has this polynomial",
-        (z * eye(4) - step + push).det(method="berkowitz"),
+        closed_loop(phi, held, {alpha: alpha, beta: beta}),
         LOOP.of[0].subs({K: alpha, B: beta, FADING: exp(-1 / tau)}),
         name=r"\det(z-A)",
     )

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from symhaptic.loops.actuator import Lag
     from symhaptic.loops.oversampled import Oversampled
     from symhaptic.loops.sensor import Encoder
-    from symhaptic.loops.structure import SecondMass
+    from symhaptic.loops.structure import Coupling, SecondMass
     from symhaptic.loops.system import LinearDevice
     from symhaptic.loops.velocity import Average, Difference, Filter, LowPass, Measured, Window
     from symhaptic.model.jury import jury
@@ -53,6 +53,7 @@ _HOME = {
     "Arm": "symhaptic.scene.arms",
     "ArmRange": "symhaptic.scene.arms",
     "Average": "symhaptic.loops.velocity",
+    "Coupling": "symhaptic.loops.structure",
     "Difference": "symhaptic.loops.velocity",
     "Encoder": "symhaptic.loops.sensor",
     "Extremum": "symhaptic.numeric.extremum",
@@ -102,6 +103,7 @@ __all__ = [
     "Arm",
     "ArmRange",
     "Average",
+    "Coupling",
     "Difference",
     "Encoder",
     "Extremum",

@@ -1,7 +1,7 @@
 import pytest
 
 
-@pytest.fixture(params=[pytest.param(15, id="few"), pytest.param(300, marks=pytest.mark.slow)])
-def walls(request):
-    """How many random walls a loop is tried with."""
+@pytest.fixture(params=[pytest.param(15, id="few"), pytest.param(2500, marks=pytest.mark.slow)])
+def loops(request):
+    """How many random loops are tried."""
     return request.param

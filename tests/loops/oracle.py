@@ -4,6 +4,7 @@ NumPy's eigenvalues.  Nothing here is the package's: no polynomial, no character
 import itertools
 import math
 
+import flint
 import numpy as np
 from scipy.linalg import expm
 
@@ -40,7 +41,7 @@ def under_force(A, b, time):
     return both[:n, :n], both[:n, n]
 
 
-def matrix(A, b, x, v, K, B, delay, wall, kind, virtual_mass=0.0, euler=None):
+def matrix(A, b, x, v, K, B, delay, wall, kind, virtual_mass=0.0, euler=None, coupling=None):
     """One period of the closed loop.
 
     State: the device, then the positions of the last samples, the filter's memory, and the forces
@@ -124,3 +125,13 @@ def euler_steps(kind):
         return np.array([accelerate + np.array([1.0, 0.0]), accelerate]), np.array([1.0, 1.0])
 
     return steps
+
+
+def sizes(step):
+    """Of the eigenvalues; next to the unit circle with more digits, of the entries as they are."""
+    found = np.abs(np.linalg.eigvals(step))
+    if np.abs(found - 1).min() < 1e-6:
+        with flint.ctx.workprec(160):
+            roots = flint.acb_mat(step.tolist()).eig(algorithm="approx")
+            found = np.array([float(abs(root) - 1) for root in roots]) + 1
+    return found

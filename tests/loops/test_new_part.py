@@ -59,6 +59,14 @@ def test_the_questions_that_it_answers_without_being_named_anywhere(scene):
     assert abs(found.position[-50:]).max() < 0.2 * 1e-3
 
 
+def test_a_notch_above_half_of_the_rate_is_unstable_and_nothing_is_passive_with_it():
+    """tan(0.7 pi) < 0: its poles have the product (1 - t + t^2)/(1 + t + t^2) > 1."""
+    scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, velocity=Notch(700.0))
+    assert not scene.is_stable(100.0, 0.5)
+    with pytest.raises(ValueError, match=r"^velocity: .*notch at 700 Hz is unstable"):
+        scene.is_passive(100.0, 0.0)
+
+
 @pytest.mark.ci  # 4 s: a sharp notch has a worst angle that is hard to enclose
 def test_its_stiffest_passive_wall(scene):
     assert scene.max_passive_stiffness() == pytest.approx(1000.0, rel=1e-12)

@@ -194,10 +194,11 @@ def test_a_filtered_mass_is_stable_just_within_its_bound():
     assert radius(filtered_mass(0.5, 1, 1, 1, 1)) > 1
 
 
-def lagging_mass(K, B, T, m, tau):
+def lagging_mass(K, B, T, m, tau, k=0.0):
     """Place, velocity, force of the actuator and the place before."""
     motion = np.zeros((4, 4))
     motion[0, 1], motion[1, 2], motion[2, 2:] = 1, 1 / m, [-1 / tau, 1 / tau]
+    motion[1, 0] = -k / m
     moved = expm(motion * T)
     step = np.zeros((4, 4))
     step[:3, :3] = moved[:3, :3]
@@ -222,6 +223,14 @@ def test_the_same_delay_costs_more_than_the_lag():
         assert radius(lagging_mass(K, B, 1, 1, tau)) < 1
         assert not oracle.stable(K, B, 0, 0, tau)
     assert radius(lagging_mass(0.2, 0.56, 1, 1, 1)) > 1
+
+
+@guards("s10g_actuator_lag")
+def test_a_delay_of_three_quarters_of_a_swing_costs_less_than_the_lag():
+    k = np.pi**2 / 4
+    assert oracle.stable(k / 10, k / 20, k, 0, 3)
+    assert radius(lagging_mass(k / 10, k / 20, 1, 1, 3, k)) > 1
+    assert not oracle.stable(k / 10, k / 20, k, 0, 4)  # a whole swing brakes nothing
 
 
 @guards("s10h_energy_leak")

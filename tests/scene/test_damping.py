@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 from once import registry
 
-from symhaptic import Arm, Scene
+from symhaptic import Arm, LowPass, Scene
+from symhaptic.loops.engine import Engine
+from symhaptic.scene import damping
 
 FREE = Scene(mass=0.1, damping=0.5, sampling_period=1e-3, delay=1.5e-3)
 
@@ -63,6 +65,31 @@ def test_no_other_damping_tolerates_more_delay(case):
         return
     assert found.delay_margin == scene.delay_margin(K, float(found))
     assert found.delay_margin >= np.nanmax(margins) * (1 - 1e-3)
+
+
+FILTERED = Scene(mass=0.1, damping=0.5, sampling_period=1e-3, velocity=LowPass(cutoff=80.0))
+
+
+def test_with_a_filter_no_other_damping_tolerates_more_delay():
+    found = FILTERED.damping_for(500.0)
+    ((low, high),) = found.intervals
+    margins = FILTERED.delay_margin(500.0, np.linspace(low, high, 9)[1:-1])
+    assert found.delay_margin == FILTERED.delay_margin(500.0, float(found))
+    assert found.delay_margin >= margins.max()
+
+
+def test_a_fast_margin_that_is_too_large_does_not_choose(monkeypatch):
+    """It is confirmed by the exact one, or the best is sought by exact ones."""
+    monkeypatch.setattr(damping, "_GRID", np.array([0.2, 0.6]))
+    monkeypatch.setattr(damping, "_ZOOMS", 0)
+    right = FILTERED.damping_for(500.0)
+    worse = np.argmin if float(right) > np.mean(right.intervals) else np.argmax
+
+    def wrong(engine, alpha, beta):
+        return np.where(np.arange(2) == worse(beta, axis=1)[:, None], 1e3, 0.5)
+
+    monkeypatch.setattr(Engine, "most_delay", wrong)
+    assert FILTERED.damping_for(500.0) == right
 
 
 def test_the_free_mass_without_delay():

@@ -76,6 +76,10 @@ class Checked:
     """Which points are hard; ordinary ones never are."""
     open: tuple[str, ...] = ()
     """What no point covers, as text."""
+    nearest: float = 0.0
+    """The smallest relative distance from a boundary at which there are exact values."""
+    variants: tuple[tuple[str, Exact], ...] = ()
+    """Simpler models whose values somebody may have computed, with what they leave out."""
 
 
 FLAT = 1e8

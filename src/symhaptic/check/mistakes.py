@@ -78,6 +78,9 @@ def named(
     near = _share(right, mine, 1e-5) > _MOST
     by = _NEAR if near else 1e-6  # what is nearly right is told from pi = 3.14159, too
     share = _share(right, mine, by)
+    models = [(_share(model(*columns), mine, by), said) for said, model in checked.variants]
+    if models and max(models)[0] > max(_MOST, share):
+        return (max(models)[1],)
     for name, values in _candidates(checked, columns):
         if _share(values, mine, by) > max(_MOST, share):
             return (name,)
@@ -241,7 +244,7 @@ def _taken(at: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
 
 def _ruled(checked: Checked, columns: Columns) -> Iterator[tuple[str, Columns]]:
     """Whether a rule in circulation allows a wall, or the largest stiffness that it allows."""
-    if not (checked.id.startswith(("is_", "max_")) or "." in checked.id):
+    if not checked.id.startswith(("is_", "max_", "scene.")):
         return
     at = dict(zip(checked.arguments, columns, strict=True))
     size = at["m"] / at["T"] ** 2 if "m" in at else 1.0

@@ -4,21 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from math import inf
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
+if TYPE_CHECKING:
+    from symhaptic.scene.scene import Scene
+
 
 class Agreement:
-    """A formula that somebody's function is held against, by its id."""
+    """A formula that somebody's function is held against, by its id, of a scene or the paper."""
 
-    def __init__(self, id: str) -> None:
-        from symhaptic.check.formulas import CHECKED
+    def __init__(self, id: str, scene: Scene | None = None) -> None:
+        from symhaptic.check.devices import known
         from symhaptic.notation.suggest import suggested
 
-        if id not in CHECKED:
-            raise ValueError(f"id: {id!r} is not known; {suggested(id, CHECKED)}")
-        self.checked = CHECKED[id]
+        formulas = known(scene)
+        if id not in formulas:
+            raise ValueError(f"id: {id!r} is not known; {suggested(id, formulas)}")
+        self.checked = formulas[id]
 
     def agrees(
         self,
@@ -51,5 +55,8 @@ class Agreement:
 
 @pytest.fixture
 def symhaptic_formula() -> type[Agreement]:
-    """``symhaptic_formula("eq11").agrees(mine, ulp=4, over={"b": (0, 10)})``."""
+    """``symhaptic_formula("eq11").agrees(mine, ulp=4, over={"b": (0, 10)})``.
+
+    With a scene: ``symhaptic_formula("is_stable", scene).agrees(mine, ulp=1e6)``.
+    """
     return Agreement

@@ -163,10 +163,11 @@ def _beside(
     names = list(checked.arguments)
     rows: list[Point] = []
     far: list[float] = []
+    distances = [distance for distance in DISTANCES if distance > checked.nearest]
     for i, row in enumerate(columns.tolist()):
         if len(rows) + 1 >= count:
             break
-        distance = DISTANCES[len(rows) // 2 % len(DISTANCES)]
+        distance = distances[len(rows) // 2 % len(distances)]
         try:
             with flint.ctx.workprec(256):
                 pair = checked.border(rng, distance, *row) if checked.border else []

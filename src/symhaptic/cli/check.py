@@ -38,6 +38,14 @@ def check(
     formula: Annotated[
         str | None, typer.Option("--formula", metavar="ID", help="One of the names in --list.")
     ] = None,
+    device: Annotated[
+        Path | None,
+        typer.Option(
+            "--device",
+            metavar="TOML",
+            help="A device file: check functions of its walls in SI units, with all its parts.",
+        ),
+    ] = None,
     python: Annotated[
         str | None,
         typer.Option("--python", metavar="MODULE:NAME", help="A Python function; it is run."),
@@ -105,23 +113,23 @@ def check(
     from symhaptic.check import report
     from symhaptic.check.callers import Theirs, python_name
     from symhaptic.check.compare import POINTS, compared
-    from symhaptic.check.formulas import CHECKED
     from symhaptic.notation.suggest import suggested
 
     writable(output)
+    formulas = _formulas(device)
     if listing:
         only_listed(output=output, formula=formula, python=python, library=library, command=command)
-        for name, one in CHECKED.items():
+        for name, one in formulas.items():
             typer.echo(
                 f"{name}({', '.join(one.arguments)}) -> {', '.join(one.results)}{_says(one)}"
             )
         return
     if formula is None:
         refuse("--formula: is needed; `symhaptic check --list` lists all")
-    if formula not in CHECKED:
+    if formula not in formulas:
         every = "`symhaptic check --list` lists all"
-        refuse(f"--formula: {formula!r} is not known; {suggested(formula, CHECKED, every)}")
-    checked = CHECKED[formula]
+        refuse(f"--formula: {formula!r} is not known; {suggested(formula, formulas, every)}")
+    checked = formulas[formula]
     ways = {"python": python, "library": library, "command": command}
     given = {kind: name for kind, name in ways.items() if name is not None}
     if not 0 <= ulp < math.inf:
@@ -164,6 +172,19 @@ def check(
     _tell(report.FORMATS[format](result), output)
     if not found.agrees:
         raise typer.Exit(1)
+
+
+def _formulas(device: Path | None) -> dict[str, Checked]:
+    """What can be checked: of the paper, or of the device of a file."""
+    from symhaptic.check.devices import known
+    from symhaptic.scene.device_file import BadDevice, read
+
+    try:
+        return known(None if device is None else read(device).scene)
+    except BadDevice as wrong:
+        refuse(str(wrong))
+    except ValueError as wrong:
+        refuse(f"{device}: {wrong}")
 
 
 def _not_read(output: Path | None, files: set[Path]) -> None:

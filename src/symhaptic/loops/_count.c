@@ -52,6 +52,23 @@ static double between(const double *q, const double *slope, int n, double low, d
     return x;
 }
 
+/* where c + b x + a x^2 changes its sign for 0 < x < 4; how many places */
+static int quadratic(const double *q, double *roots)
+{
+    double inside = q[1] * q[1] - 4 * q[2] * q[0];
+    double sum = q[1] + copysign(sqrt(fmax(inside, 0)), q[1]);
+    double one = -sum / (2 * q[2]), two = -2 * q[0] / sum;
+    int found = 0;
+    if (!(inside > 0))
+        return 0;
+    for (int k = 0; k < 2; k++) {
+        double x = (one < two) == (k == 0) ? one : two;
+        if (x > 0 && x < 4)
+            roots[found++] = x;
+    }
+    return found;
+}
+
 /* where a polynomial of n coefficients changes its sign for 0 < x < 4; how many places */
 static int real_roots(const double *q, int n, double *roots)
 {
@@ -62,7 +79,9 @@ static int real_roots(const double *q, int n, double *roots)
     for (int d = 1; d < n; d++)
         for (int k = 0; k < n - d; k++)
             chain[d][k] = chain[d - 1][k + 1] * (k + 1);
-    for (int d = n - 2; d >= 0; d--) {
+    if (n > 3)
+        found = quadratic(chain[n - 3], roots);
+    for (int d = n > 3 ? n - 4 : n - 2; d >= 0; d--) {
         double ends[SIZE + 1], next[SIZE];
         int many = 0;
         ends[0] = 0;
@@ -170,7 +189,11 @@ static void sort(double *x, int n)
     }
 }
 
-typedef struct { const double *A, *W; int a, w; double M, nearest; } loop;
+typedef struct {
+    const double *A, *W;
+    int a, w, leads;
+    double M, nearest;
+} loop;
 
 /* values on the circle; late is z^M A, and apart |p|^2 over the larger part */
 typedef struct { double theta, apart; point device, wall, late; } place;
@@ -207,7 +230,14 @@ static int on_one_side(point a, point b)
         || a.im * a.im < 1e-20 * size(a) || b.im * b.im < 1e-20 * size(b);
 }
 
-/* the turn of p on an arc, in halves until no part changes its side and the larger one stays so */
+/* by what p is ahead of its larger part, which the device is or not; nothing before the first arc */
+static double ahead(const place *end, int leads)
+{
+    return leads < 0 ? 0 : leads ? beside(end->late, end->wall) : beside(end->wall, end->late);
+}
+
+/* the turn of p on an arc but for what it is ahead at the end; in halves until no part changes its
+   side and the larger one stays so */
 static double turned(loop *p, const place *one, const place *two, int depth)
 {
     place mid = in_the_middle(p, one->theta, two->theta);
@@ -219,14 +249,15 @@ static double turned(loop *p, const place *one, const place *two, int depth)
         && on_one_side(one->wall, mid.wall) && on_one_side(mid.wall, two->wall);
     if (!fits && depth < DEEPEST) {
         ends_there(p, &mid);
-        return turned(p, one, &mid, depth + 1) + turned(p, &mid, two, depth + 1);
+        double first = turned(p, one, &mid, depth + 1);
+        return first + turned(p, &mid, two, depth + 1);
     }
+    double sum = p->leads == leads ? 0 : ahead(one, p->leads) - ahead(one, leads);
+    p->leads = leads;
     if (leads)
-        return turn(one->device, mid.device) + turn(mid.device, two->device)
-            + p->M * (two->theta - one->theta)
-            + beside(two->late, two->wall) - beside(one->late, one->wall);
-    return turn(one->wall, mid.wall) + turn(mid.wall, two->wall)
-        + beside(two->wall, two->late) - beside(one->wall, one->late);
+        return sum + turn(one->device, mid.device) + turn(mid.device, two->device)
+            + p->M * (two->theta - one->theta);
+    return sum + turn(one->wall, mid.wall) + turn(mid.wall, two->wall);
 }
 
 static void count(
@@ -248,7 +279,7 @@ static void count(
         x[ends++] = of_A[k];
     sort(x, ends);
     x[ends++] = 4;
-    loop p = {A, W, a, w, M, INFINITY};
+    loop p = {A, W, a, w, -1, M, INFINITY};
     place before = {0};
     double sum = 0;
     for (int k = 0; k < ends; k++) {
@@ -259,7 +290,7 @@ static void count(
             sum += turned(&p, &before, &end, 0);
         before = end;
     }
-    *inside = sum / PI;
+    *inside = (sum + ahead(&before, p.leads)) / PI;
     *near = sqrt(p.nearest);
 }
 

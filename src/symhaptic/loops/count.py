@@ -10,7 +10,7 @@ these their turns are principal values.
 from __future__ import annotations
 
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,7 @@ from symhaptic.loops.circle import (
     squared,
     terms,
     value,
+    zeros,
 )
 from symhaptic.loops.loop import Loop
 from symhaptic.numeric.compiled import kernels_used
@@ -48,12 +49,13 @@ def roots_inside(loop: Loop, K: Array, B: Array) -> tuple[Array, Array]:
     """
     K, B, whole = np.broadcast_arrays(K, B, loop.M)
     W = loop.wall(K, B)
-    if _count is not None and not loop.in_z and max(W.shape[-1], loop.A.shape[-1]) <= _MOST:
-        inside, near = _compiled(loop, W, K.shape)
+    A = loop.device(K, B)
+    if _count is not None and not loop.in_z and max(W.shape[-1], A.shape[-1]) <= _MOST:
+        inside, near = _compiled(A, loop.M, W, K.shape)
     else:
-        inside, near = _halved(loop, W, whole)
+        inside, near = _halved(A, loop.in_z, W, whole)
     if loop.doubtful.size:
-        A, W = (np.broadcast_to(q, (*K.shape, q.shape[-1])) for q in (loop.A, W))
+        A, W = (np.broadcast_to(q, (*K.shape, q.shape[-1])) for q in (A, W))
         device, wall = _both(A, W, loop.doubtful, loop.in_z)
         late = np.exp(1j * whole[..., None] * loop.doubtful) * device
         apart = _nearest(late, wall, _rounded(A, W, loop.doubtful, loop.in_z))
@@ -61,15 +63,15 @@ def roots_inside(loop: Loop, K: Array, B: Array) -> tuple[Array, Array]:
     return inside, near
 
 
-def _halved(loop: Loop, W: Array, whole: Array) -> tuple[Array, Array]:
+def _halved(A: Array, in_z: bool, W: Array, whole: Array) -> tuple[Array, Array]:
     """The same in arrays, up to what is doubtful."""
     shape, rows = whole.shape, whole.size
     W = W.reshape(rows, W.shape[-1])
-    A = np.broadcast_to(loop.A, (*shape, loop.A.shape[-1])).reshape(rows, loop.A.shape[-1])
-    delays, ends = whole.reshape(rows, 1), _ends(A, W, loop.in_z)
+    A = np.broadcast_to(A, (*shape, A.shape[-1])).reshape(rows, A.shape[-1])
+    delays, ends = whole.reshape(rows, 1), _ends(A, W, in_z)
     inside, near, left = np.empty(rows), np.empty(rows), np.arange(rows)
     for deep in range(_DEEPEST + 1):
-        inside[left], near[left], middles = _turned(A, W, delays, ends, loop.in_z)
+        inside[left], near[left], middles = _turned(A, W, delays, ends, in_z)
         again = np.isfinite(middles).any(axis=-1)
         if not again.any() or deep == _DEEPEST:
             break
@@ -141,10 +143,10 @@ _MOST = 17
 """Coefficients for which the compiled loop has room."""
 
 
-def _compiled(loop: Loop, W: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
+def _compiled(A: Array, M: NDArray[Any], W: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
     """The same, compiled."""
     inside, near = np.empty(shape), np.empty(shape)
-    A, M = loop.A, np.asarray(loop.M, dtype=float)
+    M = np.asarray(M, dtype=float)
     if M.size > 1 or A.ndim > 1:
         A, M = np.broadcast_to(A, (*shape, A.shape[-1])), np.broadcast_to(M, shape)
     rows = (np.ascontiguousarray(each, dtype=float) for each in (A, W, M))
@@ -245,12 +247,11 @@ def _many(A: Array, W: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
     most = max(1, int(changes.sum(axis=-1).max(initial=0)))
     first = np.sort(np.argsort(~changes, axis=-1, kind="stable")[..., :most], axis=-1)
     low, high = (np.take_along_axis(theta, first + k, axis=-1) for k in (0, 1))
-    before = np.take_along_axis(sign, first, axis=-1)
-    for _ in range(60):
-        middle = (low + high) / 2
-        same = (_lead(A, W, middle) >= 0) == before
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
-    return theta, high, np.take_along_axis(changes, first, axis=-1)
+    return (
+        theta,
+        zeros(lambda at: _lead(A, W, at), low, high),
+        np.take_along_axis(changes, first, axis=-1),
+    )
 
 
 def _lead(A: Array, W: Array, theta: Array) -> Array:
@@ -292,7 +293,10 @@ _AROUND = np.array([-9.0, -3.0, -1.0, -0.3, 0.0, 0.3, 1.0, 3.0, 9.0])
 
 
 def crossing(loop: Loop, theta: Array) -> tuple[Complex, Complex, Complex, Complex]:
-    """z^M A, X, Y and E at angles that broadcast with the loops."""
+    """z^M A, all that K, B and 1 are the factors of, at angles that broadcast with the loops."""
     A, at = value(loop.A, point(theta, False)), point(theta, loop.in_z)
     X, Y, E = (value(q, at) for q in (loop.X, loop.Y, loop.E))
-    return np.exp(1j * loop.M * theta) * A, X, Y, E
+    late = np.exp(1j * loop.M * theta)
+    if loop.ahead:
+        X, Y = (q + late * value(own, at) for q, own in zip((X, Y), loop.ahead, strict=True))
+    return late * A, X, Y, E

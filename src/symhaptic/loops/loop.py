@@ -33,11 +33,17 @@ class Loop:
     """Of the wall's virtual mass."""
     M: NDArray[np.int64]
     in_z: bool = False
+    ahead: tuple[Array, ...] = ()
+    """What K and B are the factors of beside A, with a coupling: z^M (A + K ahead[0] + ...)."""
 
     @property
     def degree(self) -> NDArray[np.int64]:
         """How many roots the loop has."""
         return np.asarray(self.M + (self.A.shape[-1] - 1))
+
+    def device(self, K: Array, B: Array) -> Array:
+        """Coefficients of A with what the wall adds to it."""
+        return sum((x[..., None] * q for x, q in zip((K, B), self.ahead, strict=False)), self.A)
 
     @cached_property
     def doubtful(self) -> Array:
@@ -67,10 +73,12 @@ def closed(
     velocity: Velocity,
     period: float,
     virtual_mass: float = 0.0,
+    coupling: tuple[float, float] | None = None,
 ) -> Loop:
     """The loop of a sampled device, ``whole`` periods of delay beside its part of one, and a wall.
 
-    ``virtual_mass`` is M/m of a wall that adds M (1 - 1/z)^2/T^2 to its force.
+    ``virtual_mass`` is M/m of a wall that adds M (1 - 1/z)^2/T^2 to its force.  With a coupling C
+    the wall W becomes C W/(C + W), and p = z^M A (C + W) + P C W, which is affine in K and B, too.
     """
     long = velocity.over > SHORT
     z: Polynomial = (0, 1) if long else (1, 1)
@@ -94,26 +102,28 @@ def closed(
     _, device = transfer(sampled, sampled.position, sampled.early)
     place = seen(sampled.position)
     rest: Polynomial = (1,)
-    late = n = 0
-    if isinstance(velocity, Measured):
-        Y = seen(sampled.velocity)
-    elif long:
-        n, late = velocity.over, velocity.over
-        Y = scaled(1 / n, product(place, (-1, *[0] * (n - 1), 1)))
-    else:
-        above, below, n = velocity.ratio(period)
-        rest, late = below, n
-        Y = product(place, above)
-    late = max(late, 2 if virtual_mass else 0)
-    Y = product(Y, to_the(late - n))
-    X = product(product(place, rest), to_the(late))
-    E: Polynomial = (0,)
+    above: Polynomial = ()
+    n = velocity.over if long else 0
+    if long:
+        above = (-1 / n, *[0] * (n - 1), 1 / n)
+    elif not isinstance(velocity, Measured):
+        above, rest, n = velocity.ratio(period)
+    late = max(n, 2 if virtual_mass else 0)
+    stiff, damped = product(rest, to_the(late)), product(above, to_the(late - n)) if above else ()
+    heavy: Polynomial = (0,)
     if virtual_mass:
-        E = scaled(virtual_mass, product(product(place, rest), product(w, w)))
-        E = product(E, to_the(late - 2))
-    more = late + bool(sampled.late.any())
+        heavy = scaled(virtual_mass, product(product(rest, product(w, w)), to_the(late - 2)))
+    X, E = product(place, stiff), product(place, heavy) if virtual_mass else heavy
+    Y = product(place, damped) if above else product(seen(sampled.velocity), to_the(late))
     A = product(_split(device), rest)
-    return Loop(_joined(A), _joined(X), _joined(Y), _joined(E), np.asarray(whole) + more, long)
+    M = np.asarray(whole) + late + bool(sampled.late.any())
+    if coupling is None:
+        return Loop(_joined(A), _joined(X), _joined(Y), _joined(E), M, long)
+    between = total(scaled(coupling[0], stiff), scaled(coupling[1], damped))
+    X, Y, E = product(between, X), product(between, Y), product(between, E) if virtual_mass else E
+    ahead = tuple(_joined(product(A, q)) for q in (stiff, damped))
+    A = product(A, total(between, heavy))
+    return Loop(_joined(A), _joined(X), _joined(Y), _joined(E), M, ahead=ahead)
 
 
 def _split(coefficients: Array) -> Polynomial:

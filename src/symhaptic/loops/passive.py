@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from symhaptic.loops.circle import Array, Complex, grid, point, value
+from symhaptic.loops.circle import Array, Complex, grid, point, roots, value
 from symhaptic.loops.loop import SHORT
 from symhaptic.loops.velocity import Velocity
 
@@ -35,6 +35,11 @@ class Needs:
             above, below, late = velocity.ratio(period)
             turns = delay + late + len(above) + len(below)
             bends = np.array(below, dtype=float)
+            if len(bends) > 1 and (np.abs(roots(bends) + 1) > 1 + _ROUNDED).any():
+                raise ValueError(
+                    f"velocity: {velocity.words} is unstable with this sampling period; passivity "
+                    "is not told, give a stable filter"
+                )
         uniform = np.linspace(0, np.pi, 32 * turns + 256)
         self.theta = grid(uniform, 1e-9 / turns, bends)
         self.of_K, self.of_B, self.rest = self.at(self.theta)
@@ -145,6 +150,9 @@ class Needs:
                 return float(at_none[0]), 0.0, float(angle[0])
         return float(K[top]), float(B[top]), float(theta[top])
 
+
+_ROUNDED = 1e-9
+"""By so much a root on the unit circle is told wrongly."""
 
 _CLOSE = 0.01
 """Peaks of the grid that are lower by less than this part of the spread are refined: with 32 angles

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from symhaptic.loops.circle import Array, grid
+from symhaptic.loops.circle import Array, grid, zeros
 from symhaptic.loops.count import crossing, is_stable
 from symhaptic.loops.loop import Loop
 from symhaptic.numeric.extremum import Extremum
@@ -74,23 +74,12 @@ class Trace:
         bends = () if self.loop.in_z else (self.loop.X, self.loop.Y)
         theta = grid(uniform, first, self.loop.A, *bends)
         bottom = _tops(self.loop, theta)[2]
-        poles = self._halved(theta, bottom, lambda at: _tops(self.loop, at)[2])
-        theta = np.union1d(theta, poles)
+        there = np.flatnonzero(bottom[1:] * bottom[:-1] < 0)
+        poles = zeros(lambda at: _tops(self.loop, at)[2], theta[there], theta[there + 1])
+        theta = np.union1d(theta, np.concatenate([poles * (1 - 1e-9), poles * (1 + 1e-9)]))
         for which in (0, 1):
             theta = np.union1d(theta, self._extremes(theta, which))
         return theta
-
-    def _halved(self, theta: Array, values: Array, function: Any) -> Array:
-        """Angles to both sides of a change of sign."""
-        there = np.flatnonzero(values[1:] * values[:-1] < 0)
-        low, high, left = theta[there], theta[there + 1], values[there] > 0
-        for _ in range(14):
-            at = low + _SIXTEEN * (high - low)
-            same = (function(at) > 0) == left
-            step = (high - low) / 16
-            low = low + step * (np.argmin(np.vstack([same[1:], 0 * same[:1]]), axis=0))
-            high = low + step
-        return np.concatenate([low * (1 - 1e-9), high * (1 + 1e-9)])
 
     def _extremes(self, theta: Array, which: int) -> Array:
         """Where K (0) or B (1) turns between three neighbours, by ever finer grids."""
@@ -125,13 +114,11 @@ class Trace:
         with np.errstate(invalid="ignore"):
             above = along > given[:, None]
         rows, there = np.nonzero((above[:, 1:] != above[:, :-1]) & self.whole)
-        low, high, wanted = self.theta[there], self.theta[there + 1], given[rows]
-        left = above[rows, there]
-        for _ in range(60):
-            middle = (low + high) / 2
-            same = (boundary(self.loop, middle)[which] > wanted) == left
-            low, high = np.where(same, middle, low), np.where(same, high, middle)
-        theta = (low + high) / 2
+        theta = zeros(
+            lambda at: boundary(self.loop, at)[which] - given[rows],
+            self.theta[there],
+            self.theta[there + 1],
+        )
         other = boundary(self.loop, theta)[1 - which]
         rows, other, theta = self._with_lines(given, which, rows, other, theta)
         order = np.lexsort((other, rows))

@@ -22,6 +22,7 @@ def files(scene: DeviceLoop, K: float, B: float, single: bool = False) -> dict[s
     Raises :class:`ValueError` for a wall that the scene does not keep stable, for a velocity that
     is not computed from positions, and for a wall that single precision cannot hold.
     """
+    scene.refuse_coupling("a controller in C")
     velocity = scene.velocity or Difference()
     if isinstance(velocity, Measured):
         raise ValueError(

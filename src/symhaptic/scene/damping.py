@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -96,15 +97,20 @@ _ZOOMS = 3
 """Times that this is repeated between the neighbours of the best: by 16 each, to 1e-5."""
 
 
-def _margins(
-    scene: DeviceLoop, alpha: NDArray[np.float64], beta: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Delay margins in periods; NaN for a simulator, which has none."""
+_Margins = Callable[["NDArray[np.float64]", "NDArray[np.float64]"], "NDArray[np.float64]"]
+
+
+def _margins(scene: DeviceLoop) -> tuple[_Margins, _Margins]:
+    """Delay margins in periods, and a faster function that is never less; NaN for a simulator."""
     if not scene.further:
-        return np.asarray(delay_margin(alpha, beta, *scene.dimensionless))
+
+        def exact(alpha: NDArray[np.float64], beta: NDArray[np.float64]) -> NDArray[np.float64]:
+            return np.asarray(delay_margin(alpha, beta, *scene.dimensionless))
+
+        return exact, exact
     if scene.integrator != "hold":
-        return np.full(beta.shape, np.nan)
-    return scene.engine.delay_margin(alpha, beta)
+        return (lambda alpha, beta: np.full(beta.shape, np.nan),) * 2
+    return scene.engine.delay_margin, scene.engine.most_delay
 
 
 def _best(
@@ -118,10 +124,31 @@ def _best(
         return found
     low, high = np.concatenate(intervals).T
     stiff, damped = wall_units(scene)
-    row, begin, end = np.arange(owner.size), low, high
+    exact, fast = _margins(scene)
+    alpha = stiff * K[owner]
+    B, about = _largest(fast, alpha, damped, low, high)
+    late = np.nan_to_num(exact(alpha, damped * B), nan=-1.0, posinf=np.inf)
+    if not np.allclose(late, about, rtol=_ALIKE, atol=_ALIKE):
+        B, late = _largest(exact, alpha, damped, low, high)
+    B = np.where(late >= 0, B, (low + high) / 2)
+    for i in np.lexsort((high - low, late)):  # the best interval of a stiffness comes last
+        margin = late[i] * scene.sampling_period if late[i] >= 0 else np.nan
+        found[:, owner[i]] = B[i], low[i], high[i], margin
+    return found
+
+
+def _largest(
+    margins: _Margins,
+    alpha: NDArray[np.float64],
+    damped: float,
+    low: NDArray[np.float64],
+    high: NDArray[np.float64],
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The damping of each interval with the largest margin, and this margin in periods."""
+    row, begin, end = np.arange(low.size), low, high
     for _ in range(1 + _ZOOMS):
         B = begin[:, None] + (end - begin)[:, None] * _GRID
-        late = _margins(scene, stiff * K[owner][:, None], damped * B)
+        late = margins(np.broadcast_to(alpha[:, None], B.shape), damped * B)
         late = np.nan_to_num(late, nan=-1.0, posinf=np.inf)
         best = np.argmax(late, axis=1)
         endless = np.isposinf(late)
@@ -131,9 +158,9 @@ def _best(
         best = np.where(count > 0, middle, best)
         edges = np.column_stack([begin, B, end])
         begin, end = edges[row, best], edges[row, best + 2]
-    B, late = B[row, best], late[row, best]
-    B = np.where(late >= 0, B, (low + high) / 2)
-    for i in np.lexsort((high - low, late)):  # the best interval of a stiffness comes last
-        margin = late[i] * scene.sampling_period if late[i] >= 0 else np.nan
-        found[:, owner[i]] = B[i], low[i], high[i], margin
-    return found
+    return B[row, best], late[row, best]
+
+
+_ALIKE = 1e-9
+"""By so much the fast margin of the best damping may differ from its exact one; otherwise the best
+is sought once more by exact margins."""

@@ -11,7 +11,7 @@ from typing import Any
 from symhaptic.loops.actuator import Lag
 from symhaptic.loops.oversampled import Oversampled
 from symhaptic.loops.sensor import Encoder
-from symhaptic.loops.structure import SecondMass
+from symhaptic.loops.structure import Coupling, SecondMass
 from symhaptic.loops.velocity import Average, Difference, Filter, LowPass, Measured, Window
 from symhaptic.notation.quantities import number
 from symhaptic.notation.suggest import suggested
@@ -39,6 +39,7 @@ PARTS: dict[str, dict[str, type]] = {
     },
     "actuator": {"": Lag},
     "structure": {"": SecondMass},
+    "coupling": {"": Coupling},
     "encoder": {"": Encoder},
 }
 """Tables of parts; where there are several kinds, ``kind`` tells which, by default the first."""

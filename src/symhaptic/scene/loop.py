@@ -16,9 +16,10 @@ from typing import Any, Self, TypeVar
 
 from symhaptic.loops.actuator import Lag
 from symhaptic.loops.engine import STEPS, Engine
+from symhaptic.loops.loop import SHORT
 from symhaptic.loops.oversampled import Oversampled
 from symhaptic.loops.sensor import Encoder
-from symhaptic.loops.structure import SecondMass
+from symhaptic.loops.structure import Coupling, SecondMass
 from symhaptic.loops.system import LinearDevice
 from symhaptic.loops.velocity import Difference, Measured, Velocity
 from symhaptic.model.parts import Parts
@@ -95,6 +96,8 @@ class DeviceLoop:
     """How the device moves: under held forces, or as a simulator moves it."""
     virtual_mass: float | None = None
     """M of the wall in kg, >= 0."""
+    coupling: Coupling | None = None
+    """A spring and a damper between the device and the wall."""
     encoder: Encoder | None = None
     """The steps of the sensor."""
     coulomb_friction: float | None = None
@@ -128,7 +131,11 @@ class DeviceLoop:
                     f"matrices describe the whole device; leave {name} out"
                 )
         if self.structure is not None:
-            object.__setattr__(self, "structure", self.structure.fitting(self.rotary))
+            fitting = self.structure.fitting("structure", self.rotary)
+            object.__setattr__(self, "structure", fitting)
+        if self.coupling is not None:
+            object.__setattr__(self, "coupling", self.coupling.fitting("coupling", self.rotary))
+            self._velocity_of_a_coupling()
         if self.encoder is not None:
             object.__setattr__(self, "encoder", self.encoder.fitting(self.unit("m")))
         if self.dynamics is not None and self.dynamics.jumps and self.velocity == Measured():
@@ -163,6 +170,15 @@ class DeviceLoop:
                 stacklevel=3,
             )
 
+    def _velocity_of_a_coupling(self) -> None:
+        """Raise :class:`ValueError` for velocities that the point behind the coupling has not."""
+        of = self.velocity or Difference()
+        if isinstance(of, Measured | Oversampled) or of.over > SHORT:
+            raise ValueError(
+                f"coupling: {self.coupling!r} with velocity={of!r} is not allowed; give a velocity "
+                f"of one rate that is computed from at most {SHORT} samples or by a filter"
+            )
+
     def __repr__(self) -> str:
         return without_defaults(self, "mass", "inertia", *_FURTHER)
 
@@ -176,6 +192,7 @@ class DeviceLoop:
             "structure": self.structure is not None,
             "integrator": self.integrator != "hold",
             "virtual_mass": bool(self.virtual_mass),
+            "coupling": self.coupling is not None,
         }
         return tuple(name for name, is_there in there.items() if is_there)
 
@@ -189,6 +206,10 @@ class DeviceLoop:
                 f"{name}: {shown(getattr(self, name))} is not allowed for {question}; "
                 f"leave out {name}"
             )
+
+    def refuse_coupling(self, question: str) -> None:
+        """Raise :class:`ValueError` if there is a coupling, for which a question has no answer."""
+        self.refuse_further(question, *(name for name in self.further if name != "coupling"))
 
     @property
     def engine(self) -> Engine:
@@ -335,7 +356,7 @@ def _dimensionless(loop: DeviceLoop) -> Dimensionless:
 
 _FURTHER = (
     *("dynamics", "velocity", "actuator", "structure", "integrator", "virtual_mass"),
-    *("encoder", "coulomb_friction"),
+    *("coupling", "encoder", "coulomb_friction"),
 )
 """Parts that are shown only if they are there."""
 
@@ -344,6 +365,7 @@ _KINDS: dict[str, type] = {
     "velocity": Velocity,
     "actuator": Lag,
     "structure": SecondMass,
+    "coupling": Coupling,
     "encoder": Encoder,
 }
 
@@ -352,6 +374,7 @@ _EXAMPLES = {
     "velocity": 'a velocity such as LowPass(cutoff="50 Hz")',
     "actuator": 'Lag(time_constant="1 ms")',
     "structure": 'SecondMass(mass="20 g", stiffness="20 N/mm")',
+    "coupling": 'Coupling(stiffness="2 N/mm")',
     "encoder": 'Encoder(resolution="20 um")',
 }
 
@@ -369,6 +392,7 @@ def _engine(loop: DeviceLoop) -> Engine:
         tuple(part for part in (loop.dynamics, loop.structure, loop.actuator) if part is not None),
         loop.integrator,
         loop.virtual_mass or 0.0,
+        loop.coupling,
     )
 
 

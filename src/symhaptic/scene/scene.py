@@ -74,6 +74,8 @@ class Scene(DeviceLoop):
         ``"hold"`` for a device, ``"semi-implicit Euler"`` or ``"explicit Euler"`` for a simulator.
     virtual_mass : float, optional
         M in kg, >= 0, of a wall that adds M times the second difference over T^2.
+    coupling : Coupling, optional
+        A virtual coupling: a spring and a damper in series between device and wall.
     encoder : Encoder, optional
         Steps of the position sensor, for :meth:`max_quantised_stiffness` and :meth:`simulate`.
     coulomb_friction : float, optional

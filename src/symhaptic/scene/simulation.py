@@ -158,6 +158,7 @@ def simulate(
     samples_between: int,
 ) -> Simulation:
     """The motion from a start, with what the scene and the wall have."""
+    scene.refuse_coupling("a simulation")
     mass, period = scene.coupled.mass, scene.sampling_period
     to_force, to_energy = mass / period**2, mass / period**2
     walls = number("K", K, scene.unit("N/m")), number("B", B, scene.unit("N*s/m"))

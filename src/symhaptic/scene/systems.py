@@ -14,7 +14,7 @@ from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import decimal
 from symhaptic.scene.loop import DeviceLoop
 
-_OF_THE_WALL = ("velocity", "virtual_mass")
+_OF_THE_WALL = ("velocity", "virtual_mass", "coupling")
 """Parts that are no part of the device."""
 
 

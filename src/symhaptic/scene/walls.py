@@ -432,6 +432,9 @@ def sensitivity(scene: DeviceLoop, B: float | None = None) -> dict[str, float]:
     return found
 
 
+_OF_PARTS = ("velocity", "actuator", "structure", "coupling")
+
+
 def _parameters(scene: DeviceLoop) -> dict[str, float]:
     """The parameters that are not 0, by their names; those of arm and parts with theirs before."""
     own = "mass", "inertia", "damping", "stiffness"
@@ -440,7 +443,7 @@ def _parameters(scene: DeviceLoop) -> dict[str, float]:
         owners.append(("arm_", scene.arm, own))
     late = ("delay", "delay_samples") if scene.integrator == "hold" else ()
     owners.append(("", scene, ("sampling_period", *late, "virtual_mass")))
-    for part in ("velocity", "actuator", "structure"):
+    for part in _OF_PARTS:
         of: Any = getattr(scene, part)
         of = of.velocity if isinstance(of, Oversampled) else of
         if of is not None:
@@ -458,7 +461,7 @@ def _limit(scene: DeviceLoop, B: float | None) -> float:
 def _changed(scene: DeviceLoop, name: str, value: Any) -> DeviceLoop:
     """The scene with another value of a parameter, of its own or of its arm or of a part."""
     owner, _, own = name.partition("_")
-    if owner in ("arm", "velocity", "actuator", "structure"):
+    if owner in ("arm", *_OF_PARTS):
         part: Any = getattr(scene, owner)
         if isinstance(part, Oversampled):
             inner: Any = part.velocity

@@ -90,7 +90,7 @@ def _parts(scene: DeviceLoop) -> dict[str, str]:
     """The parts that the paper's loop does not have, in words."""
     own = {
         name: getattr(scene, name)
-        for name in ("dynamics", "velocity", "actuator", "structure", "encoder")
+        for name in ("dynamics", "velocity", "actuator", "structure", "coupling", "encoder")
     }
     found = {name: part.words for name, part in own.items() if part is not None}
     if scene.integrator != "hold":
