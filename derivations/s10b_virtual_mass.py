@@ -60,10 +60,7 @@ def derive(page):
         boxed=True,
     )
     page.settle(
-        BESIDE,
-        found,
-        example=STILL,
-        note="exact without delay, walls on the border included",
+        BESIDE, found, example=STILL, note="exact without delay, walls on the border included"
     )
     _alone(page)
     _free(page)

@@ -156,8 +156,7 @@ def decides(*printed: Any) -> Theorem:
         back.append(combined(raw, [TAU.show(1 / share > 0), given]))
     forth = mp(found, conj(*back))
     here = prove_hyp(conj(*there), mp(found, assume(loop)))
-    same = either_way(forth, here, wanted, loop)
-    return TAU.closed(same, TAU.show(1 / T > 0))
+    return TAU.closed(either_way(forth, here, wanted, loop), TAU.show(1 / T > 0))
 
 
 LITTLE = proposition(2 * m * tau_f / (T * (T + 4 * tau_f)) >= B)
@@ -188,5 +187,4 @@ def below_the_tangent(*printed: Any) -> Theorem:
     far, slope = here.show(T + 2 * tau_f > 0), here.show(B * (T + 4 * tau_f) > 0)
     rows = [pushes, pushes, assume(tau_f >= 0), far], [pushes, slope], [2, damps, damps]
     share = here.show(1 / (2 * m) > 0)
-    found = combined(K < 2 * B / T, [share, room], *([share, *row] for row in rows))
-    return TAU.closed(found)
+    return TAU.closed(combined(K < 2 * B / T, [share, room], *([share, *row] for row in rows)))

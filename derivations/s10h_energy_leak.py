@@ -5,18 +5,11 @@ every period, and the damper has to burn it. We check the numbers of this pictur
 of a delay.
 """
 
-from sympy import Eq, Rational, S
-
-from symhaptic.book.lemmas.energy_leak import behind_a_delay, differs, without_delay
+from symhaptic.book.lemmas.linear_part import passive_below
 from symhaptic.book.lemmas.motions import HALF_LATE
-from symhaptic.book.sources import CLAIMED, STATEMENTS
-from symhaptic.notation import K, T, b, d, v, x
-from symhaptic.notation.proposition import whole
-from symhaptic.proof.theorems.definitions import gains
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, assume, mp, not_intro
-from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.lemmas.region import limits
+from symhaptic.rules.other_loops import UNDAMPED
 
 LEAK, DELAY = "rules:energy-leak", "rules:delay-damping"
 
@@ -47,8 +40,7 @@ def derive(page):
         "On the way back the spring gives more than it should, by the same amount. This is a "
         "calculation for constant speed. It remains to show that no other motion gains more."
     )
-    claim = CLAIMED[DELAY](STATEMENTS[DELAY].printed)
-    symbols, given, then = taken_apart(claim)
+    then = taken_apart(page.claim(DELAY))[2]
     rule, passive = then.of
     found = page.lemma(
         "Behind a whole delay a spring is passive if and only if the damper bears the losses at "
@@ -57,43 +49,73 @@ def derive(page):
         because="low frequencies are the strictest for a wall without virtual damping",
         boxed=True,
     )
-    extra = [*given, whole(d)]
     late = {K: S.One, b: Rational(101, 100), T: S.One, d: S.Half}
-    at = passive.at(late)
-    gained = gains(list(at.of), HALF_LATE)
-    alike = then.at(late)
+    alike, gained = then.at(late), gains(list(passive.at(late).of), HALF_LATE)
+    denied = not_intro(mp(assume(alike), number(rule.at(late))), gained, alike)
     page.settle(
         DELAY,
-        for_all(symbols, extra, add_assum(found, *extra)),
-        example=example(late | {b: S(2), d: S.One}, extra),
-        unless=[
-            counterexample(
-                claim,
-                late,
-                not_intro(mp(assume(alike), number(rule.at(late))), gained, alike),
-                but=whole(d),
-            )
-        ],
+        found,
+        example=late | {b: S(2), d: S.One},
+        unless={whole(d): (late, denied)},
         shows="delayed by half a period, $K=1$ meets the rule with $b=\\tfrac{101}{100}$, $T=1$ "
         "and gives energy away",
         note="exact behind whole delays and without virtual damping; round a fractional delay up",
     )
-    claim = CLAIMED[LEAK](STATEMENTS[LEAK].printed)
-    symbols, given, then = taken_apart(claim)
-    rule, _ = then.of
+    rule = taken_apart(page.claim(LEAK))[2].of[0]
     found = page.lemma(
         "Without delay a spring is passive if and only if the ratio is at most one",
         without_delay(rule),
     )
-    extra = [*given, Eq(d, 0)]
     late = {K: S.One, b: Rational(3, 4), T: S.One, d: S.One}
     page.settle(
         LEAK,
-        for_all(symbols, extra, add_assum(found, *extra)),
-        example=example(late | {d: S.Zero}, extra),
-        unless=[counterexample(claim, late, differs(rule, late), but=Eq(d, 0))],
+        found,
+        example=late | {d: S.Zero},
+        unless={Eq(d, 0): (late, differs(rule, late))},
         shows="delayed by one period, $K=1$ with $b=\\tfrac34$, $T=1$ has the ratio $\\tfrac23$ "
         "and gives energy away",
         note="exact without delay and virtual damping; a delay by $d$ periods multiplies the loss "
         "by $2d+1$",
     )
+
+
+# A spring is passive just where the damper bears hold and delay.
+
+HERE = Given(T > 0, b > 0, d >= 0, K >= 0, whole(d))
+
+
+@cache
+def behind_a_delay(rule: Any) -> Theorem:
+    """passive <=> the rule, for B = 0 and integer delays."""
+    rule, still = proposition(rule), {B: S.Zero}
+    room = show(b + B - K * T * (d + HALF) >= 0, assume(b - K * T * (d + HALF) >= 0), Eq(B, 0))
+    enough = inst(passive_below(room), still)
+    enough = HERE.closed(enough, HERE.show(b - K * T * (d + HALF) >= 0, rule))
+    needed = show(rule, inst(limits()[1], still))
+    return HERE.closed(either_way(enough, needed, rule, UNDAMPED))
+
+
+@cache
+def without_delay(rule: Any) -> Theorem:
+    """passive <=> K T/(2 b) <= 1, without delay."""
+    place, zero = Symbol("q"), show(Eq(S.Zero, d), Eq(d, 0))
+    exact = behind_a_delay(b >= K * T / 2 + K * d * T)
+    here = HERE.and_(Eq(d, 0))
+    here.have(1 / b > 0)
+    plain = exact.conclusion.of[0]  # type: ignore[attr-defined]
+    rule = proposition(rule)
+    there = mp(exact, here.show(plain, rule))
+    found = either_way(there, here.show(rule, mp(exact, assume(UNDAMPED))), rule, UNDAMPED)
+    at_once = subst(whole(place), place, fact(whole(0)), zero)
+    return closed(here.closed(found), at_once)
+
+
+def differs(rule: Any, point: Mapping[Any, Any]) -> Theorem:
+    """That a rule and passivity differ at a wall in numbers, with an integer delay."""
+    exact = inst(behind_a_delay(b >= K * T / 2 + K * d * T), point)
+    exact = closed(exact, *map(fact, exact.hypotheses))
+    bound, passive = exact.conclusion.of  # type: ignore[attr-defined]
+    denial = not_intro(mp(exact, assume(passive)), number(negated(bound)), passive)
+    met = number(proposition(rule).at(point))
+    same = Iff((met.conclusion, passive))
+    return not_intro(mp(assume(same), met), denial, same)

@@ -54,8 +54,4 @@ def _settle(page):
         for known, wanted in ((together, alone), (alone, together))
     )
     same = either_way(there, back, together, alone)
-    page.settle(
-        "s2d-arm-in-force",
-        same,
-        example=dict.fromkeys(symbols, S.One),
-    )
+    page.settle("s2d-arm-in-force", same, example=dict.fromkeys(symbols, S.One))

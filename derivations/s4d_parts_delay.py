@@ -5,7 +5,6 @@ every period of delay, so that some walls are stable only with a delay.
 """
 
 from symhaptic.book.lemmas.boundary import CORNER, begins, begins_there
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.paper.propositions.stability import LATER

@@ -9,11 +9,9 @@ Jury's inequality $1-a_0^2>|a_1-a_0a_2|$ that decides.
 """
 
 from symhaptic.book.lemmas.passive_is_stable import EVERY_MARGIN, LOOP, MARGIN, passive_is_stable
-from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.book.lemmas.walls import divisors
-from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import MORE
 
 

@@ -21,7 +21,6 @@ from symhaptic.book.lemmas.scaling import (
     with_the_rate,
 )
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.paper.propositions.stability import HEAVY, SOON, STIFFER, STRONGER
 from symhaptic.proof.enclosed import value
 

@@ -11,10 +11,9 @@ from symhaptic.book.lemmas.passive_is_stable import (
     margin_to_the_end,
     passive_is_stable,
 )
-from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.walls import damped, margins, met, unstable
-from symhaptic.paper.propositions.comparison import STABLE, passive
+from symhaptic.paper.propositions.comparison import passive
 from symhaptic.proof.theorems.definitions import loop_substituted
 
 

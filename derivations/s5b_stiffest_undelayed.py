@@ -76,11 +76,7 @@ def largest(page, minor, arm):
         "those below the closed form $\\alpha_{\\max}(0)$",
         claim=claim(),
     )
-    page.settle(
-        "stiffest-wall-undelayed",
-        closed_form(),
-        example={gamma: S.Zero, delta: S.Zero},
-    )
+    page.settle("stiffest-wall-undelayed", closed_form(), example={gamma: S.Zero, delta: S.Zero})
 
 
 def ratio(page):

@@ -5,10 +5,7 @@ within the period matters. Which inequality excludes that energy is extracted, a
 for integer delays?
 """
 
-from symhaptic.book.lemmas.late_passivity import (
-    condition_at_every_angle,
-    passive_at_every_angle,
-)
+from symhaptic.book.lemmas.late_passivity import condition_at_every_angle, passive_at_every_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import wall
 from symhaptic.notation import function, q_k

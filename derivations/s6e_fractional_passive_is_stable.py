@@ -86,8 +86,4 @@ def derive(page):
     )
     point = {alpha: S.Zero, beta: DAMPER, gamma: S.One, delta: S.One, l: S.Zero, epsilon: S.Half}
     damped = inst(passive_with(S.Zero, DAMPER), {b: S.One, T: S.One})
-    page.settle(
-        "fractional-passive-is-stable",
-        found,
-        example=(point, closed(damped, one())),
-    )
+    page.settle("fractional-passive-is-stable", found, example=(point, closed(damped, one())))

@@ -6,7 +6,7 @@ stiffer than the stiffest wall of this circle.
 """
 
 from symhaptic.book.lemmas.late_passivity import EVERY_MARGIN, GIVEN, LATE, WALL, passive_late
-from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
+from symhaptic.book.lemmas.passivity import at_every_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.forms import stiffest_passive
 from symhaptic.forms.entire import written_out

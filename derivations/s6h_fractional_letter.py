@@ -6,7 +6,6 @@ the figures.
 """
 
 from symhaptic.book.lemmas.chords import PI
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.walls import met
@@ -57,8 +56,7 @@ def settle_literal(page):
         claim=only_within_the_spring(),
     )
     idle = {alpha: HALF / 5, beta: HALF / 5, gamma: S.One, delta: S.One, p: S.Zero, q: S.Zero}
-    there = idle | {d: HALF}
-    page.settle("fractional-literal", found, example=(idle, stable_at(there)))
+    page.settle("fractional-literal", found, example=(idle, stable_at(idle | {d: HALF})))
 
 
 def settle_figures(page):

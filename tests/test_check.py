@@ -568,3 +568,16 @@ def test_what_is_wrong_with_a_function_or_a_range_names_the_option(tmp_path):
     run = symhaptic(*words, "max_stable_stiffness", *hard, cwd=tmp_path)
     said = "symhaptic: error: --over: max_stable_stiffness has no exact value at any of 9 points\n"
     assert (run.returncode, run.stderr) == (2, said)
+
+
+def test_nan_is_told_of_what_differs_and_of_nothing_else():
+    """NaN at the two points of no delay: the exact value is a number there."""
+
+    def mine(beta, delta, d):
+        return math.nan if d == 0 else (beta + delta) / (d + 0.5)
+
+    for call, told in ((mine, True), (lambda *at: (at[0] + at[1]) / (at[2] + 0.5), False)):
+        found = compared(CHECKED["linear_limit"], callers.called(call), 8, 200)
+        said = report.text(report.Report(found, "mine", 0.0))
+        assert (" points, such as " in said) is told
+        assert found.agrees is not told

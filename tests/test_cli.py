@@ -370,6 +370,7 @@ def test_one_chapter_alone(tmp_path):
     name = "s3a_undelayed"
     run = symhaptic("report", "--chapter", name, "-o", tmp_path)
     assert run.returncode == 0, run.stderr
+    assert run.stdout == f"wrote {tmp_path / name}.tex\n"
     names = {path.name for path in tmp_path.iterdir()}
     assert names == {"book.tex", f"{name}.tex", "symhaptic.sty"}
     written = (tmp_path / f"{name}.tex").read_text(encoding="utf-8")
@@ -384,6 +385,7 @@ def test_a_chapter_of_ones_own_alone_and_standing_alone(tmp_path):
     path = chapter(tmp_path, GOOD)
     run = symhaptic("report", "--chapter", "my", "--derivation", path, "--standalone", cwd=tmp_path)
     assert run.returncode == 0, run.stderr
+    assert run.stdout == "wrote reports/chapters.tex\n"
     names = {path.name for path in (tmp_path / "reports").iterdir()}
     assert names == {"my.tex", "chapters.tex", "symhaptic.sty"}
 

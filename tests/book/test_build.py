@@ -229,6 +229,7 @@ THESIS = r"""\documentclass[12pt,a4paper]{report}
 """
 
 
+@pytest.mark.ci  # typeset by LaTeX
 def test_a_chapter_goes_into_a_thesis(tmp_path):
     """Whatever the thesis calls its own commands, and with margins of its own."""
     if not place.has_tex():

@@ -146,6 +146,12 @@ def test_a_range_of_arms_is_proved_and_drawn(tmp_path):
             assert held.is_stable(high, [left, right]).all()
             assert not held.is_stable(4 * safe["stiffest"]["K"], safe["stiffest"]["B"] / 4)
     assert (tmp_path / "walls.svg").stat().st_size > 10_000
+    path.write_text(RANGED.replace("2 N/mm", "900 N/mm"), encoding="utf-8")
+    run = symhaptic("limits", path, "--format", "json")
+    assert run.returncode == 0, run.stderr
+    beyond = json.loads(run.stdout)["safe"]
+    assert (beyond["wall"], beyond["best_damping"]) == (False, None)
+    path.write_text(RANGED, encoding="utf-8")
     words = symhaptic("limits", path).stdout
     assert "with every arm   of 0.5 to 2 kg, 6 Ns/m, 0 to 600 N/m:\n  proved stable  up to" in words
     assert "the wall is    safe" in words

@@ -31,7 +31,7 @@ COLUMNS = {
     "d": RNG.choice([0, 0.3, 1, 2.5, 7], 500),
     "epsilon": RNG.uniform(0, 1, 500),
 }
-NAMES = [name for name in vars(ufuncs) if f"one_{name}" in vars(ufuncs)]
+NAMES = [name for name in vars(haptic) if f"one_{name}" in vars(ufuncs)]
 
 
 def columns(name, kind=np.float64):

@@ -155,3 +155,13 @@ B = 1.0
     assert "is not stable" in run.stderr
     assert run.stderr.count("\n") == 1
     assert not (tmp_path / "other").exists()
+
+
+def test_the_code_says_in_which_units_it_counts():
+    line = "".join(files(scene(), 400.0, 1.0).values())
+    knob = Scene(inertia=1e-4, damping=2e-3, sampling_period=0.001)
+    turning = "".join(files(knob, 0.02, 1e-4).values())
+    assert "N m" not in line
+    assert "rad" not in line
+    assert "N m" in turning
+    assert "rad" in turning

@@ -224,7 +224,7 @@ def reference(A, wall, outside, friction, law, times, forces, start):
     return np.array(told)
 
 
-@pytest.mark.parametrize("k", [0.0, 40.0])
+@pytest.mark.parametrize("k", [40.0, pytest.param(0.0, marks=pytest.mark.ci)])
 @pytest.mark.parametrize(
     "part",
     [None, Lag(time_constant=4e-4), Lag(time_constant=5e-3),
@@ -524,3 +524,19 @@ def test_a_picture():
     assert names == ["device", "wall", "damper", "friction"]
     assert found.plot((above, below)) == (above, below)
     assert repr(found) == "Simulation(K=400.0, B=0.0, 101 times to 0.1 s)"
+
+
+@pytest.mark.parametrize(
+    ("duration", "samples"),
+    [
+        (0.1, 301),
+        (0.1 * (1 + 1e-12), 301),
+        (0.1 * (1 + 1e-7), 302),
+        (0.1 * (1 - 1e-7), 301),
+        (1e-9, 2),
+    ],
+)
+def test_a_last_period_by_round_off_alone_is_none(duration, samples):
+    """300 periods of 1/3000 s, a trifle more or less, and a part of one."""
+    scene = Scene(mass=M, damping=D, sampling_period=1 / 3000)
+    assert len(scene.simulate(10.0, 0.1, duration=duration, position0=1e-3).time) == samples

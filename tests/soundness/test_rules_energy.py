@@ -62,6 +62,12 @@ def test_a_response_is_made_of_real_numbers_known_degrees_and_no_future():
             filtered(response, below, z, c, theta)
 
 
+def test_what_sympy_cancels_is_checked(monkeypatch):
+    monkeypatch.setattr(sp, "cancel", lambda _: z)
+    with pytest.raises(NotShown, match="is not z by"):
+        filtered(K / (z - f), z - f, z, c, theta)
+
+
 def test_the_angle_and_the_variable_are_bound():
     for response, below, damping in (
         (K / (z - f), z - f, theta),

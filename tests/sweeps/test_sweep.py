@@ -25,6 +25,7 @@ from symhaptic import (
     sweep,
 )
 from symhaptic.forms.stable import STATEMENTS as FORMS
+from symhaptic.sweeps import work
 from symhaptic.sweeps.quantities import QUANTITIES
 
 xarray = pytest.importorskip("xarray", reason="no xarray here: no sweeps")
@@ -507,3 +508,10 @@ def test_a_rotary_scene_is_swept_in_its_units(tmp_path):
         sweep("limit_at", knob, B=[0.0], mass=[1.0])
     with pytest.raises(ValueError, match="K: '1 N/m' is not allowed; give a number and a unit"):
         sweep("is_stable", knob, K="1 N/m", B=0.0)
+
+
+def test_a_bar_of_a_sweep_that_goes_on_begins_where_it_was(capsys, monkeypatch):
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True)
+    with ThreadPoolExecutor(1) as pool:
+        assert sorted(work.done(pool, str, [1, 2], 2, 5)) == ["1", "2"]
+    assert "3/5" in capsys.readouterr().err

@@ -536,8 +536,6 @@ for _id, (_name, _other) in _ALSO.items():
     _found = replace(CHECKED[_name], id=_id, **_other)
     if "d" in _found.arguments:
         _found = replace(
-            _found,
-            arguments={**_found.arguments, "d": WHOLE},
-            open=(*_found.open, _NO_FRACTION),
+            _found, arguments={**_found.arguments, "d": WHOLE}, open=(*_found.open, _NO_FRACTION)
         )
     CHECKED[_id] = _found

@@ -123,6 +123,11 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
 
 A term has brackets where it is not one, or no factor, or no base of a power, as it is marked."""
 
+JUDGING = frozenset(
+    name for name in MEANINGS if name.startswith(("stable", "passive")) or name == "hurwitz"
+)
+"""Those that judge a wall, a loop or a polynomial, and of which a print may be a condition."""
+
 TERMS: dict[str, tuple[str, ...]] = {
     "whole": ("n",),
     "increasing": ("f(x)", "u", "v"),

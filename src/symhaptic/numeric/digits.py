@@ -69,13 +69,13 @@ def _one(name: str, digits: int, names: list[str], values: tuple[float, ...]) ->
     if any(math.isnan(v) for v in values):
         return tuple([flint.arb("nan")] * _results(name))
     start = bits(values) + math.ceil(3.33 * digits)
-    for precision in (start << i for i in range(_TRIES)):
+    for last, precision in ((i == _TRIES - 1, start << i) for i in range(_TRIES)):
         with flint.ctx.workprec(precision):
             try:
                 found = EXACT[name](**dict(zip(names, values, strict=True)))
             except ArithmeticError:  # too wide
                 continue
-            if all(not x.is_finite() or x.rad() <= abs(x) * most for x in found):
+            if all(x.rad() <= abs(x) * most or (last and x.is_nan()) for x in found):
                 return found
     said = ", ".join(f"{n}={v!r}" for n, v in zip(names, values, strict=True))
     raise ArithmeticError(

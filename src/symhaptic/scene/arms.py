@@ -382,6 +382,13 @@ def device(name: str) -> Device:
     return found
 
 
+def of_device(name: str) -> dict[str, float]:
+    """Mass and damping of a published device, as far as they are published."""
+    found = device(name)
+    numbers = (("mass", found.mass), ("damping", found.damping))
+    return {key: float(value) for key, value in numbers if value is not None}
+
+
 def published() -> dict[str, dict[str, float | str | None]]:
     """What :meth:`symhaptic.scene.scene.Scene.devices` returns."""
     from symhaptic.rules.devices import DEVICES

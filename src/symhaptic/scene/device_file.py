@@ -15,8 +15,7 @@ from symhaptic.loops.structure import SecondMass
 from symhaptic.loops.velocity import Average, Difference, Filter, LowPass, Measured, Window
 from symhaptic.notation.quantities import number
 from symhaptic.notation.suggest import suggested
-from symhaptic.scene.arms import Arm, ArmRange, checked_range
-from symhaptic.scene.arms import device as published
+from symhaptic.scene.arms import Arm, ArmRange, checked_range, of_device
 from symhaptic.scene.scene import Scene
 
 MOVED = "mass", "inertia", "damping", "stiffness"
@@ -117,7 +116,7 @@ def read(path: Path) -> Device:
         raise BadDevice(f"{place} beside name is not allowed; give one of them")
     here = ""
     try:
-        known = device if names[""] is None else {**_published(names[""]), **device}
+        known = device if names[""] is None else {**of_device(names[""]), **device}
         for key, instead in (("mass", "inertia"), ("sampling_period", "sampling_rate")):
             if key not in known and instead not in known:
                 raise BadDevice(f"{path}: {key} is missing, such as {key} = {_EXAMPLES[key]}")
@@ -143,13 +142,6 @@ def read(path: Path) -> Device:
         key, _, said = str(wrong).partition(":")
         raise BadDevice(f"{_place(path, text, here, key)}:{said}") from None
     return Device(scene, (numbers["K"], numbers["B"]) if numbers else None, arms)
-
-
-def _published(name: Any) -> dict[str, float]:
-    """Mass and damping of a device, as far as they are published."""
-    found = published(name)
-    numbers = (("mass", found.mass), ("damping", found.damping))
-    return {key: float(value) for key, value in numbers if value is not None}
 
 
 def _part(path: Path, text: str, table: str, given: dict[str, Any]) -> Any:

@@ -137,17 +137,13 @@ class Scene(DeviceLoop):
         >>> Scene.of("Phantom Premium 1.5", sampling_period=0.001, delay_samples=1.5).damping
         0.005
         """
-        from symhaptic.scene.arms import device as published
+        from symhaptic.scene import arms
 
-        found = published(device)
-        known = {
-            name: float(value)
-            for name, value in (("mass", found.mass), ("damping", found.damping))
-            if value is not None
-        }
-        if "mass" not in {**known, **given}:
-            raise ValueError(f"mass: is not published of the {found.name}; give one in kg")
-        return cls(**{**known, **given})
+        known = {**arms.of_device(device), **given}
+        if "mass" not in known:
+            name = arms.device(device).name
+            raise ValueError(f"mass: is not published of the {name}; give one in kg")
+        return cls(**known)
 
     @staticmethod
     def devices() -> dict[str, dict[str, float | str | None]]:
