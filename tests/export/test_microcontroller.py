@@ -2,6 +2,7 @@
 
 import re
 import subprocess
+from pathlib import Path
 
 import pytest
 from export.test_languages import exported, needs, run
@@ -206,6 +207,37 @@ def test_double_precision_is_refused(tmp_path, monkeypatch, capsys):
     assert code == 2
     assert err.count("\n") == 1
     assert "--precision double: C99 for microcontrollers is exported in single only" in err
+
+
+def test_clang_promotes_nothing_to_double(folder):
+    """Nor does the self-test of what it compiles miss a value; a promotion is an error, to see that
+    the option is heard."""
+    needs("clang")
+    strict = [
+        "clang",
+        "-std=c99",
+        "-Werror",
+        "-Wall",
+        "-Wextra",
+        "-Wdouble-promotion",
+        "-Wconversion",
+    ]
+    (folder / "promoted.c").write_text("double twice(float x) { return 2.0*x; }\n")
+    with pytest.raises(subprocess.CalledProcessError):
+        subprocess.run([*strict, "-c", "promoted.c"], cwd=folder, check=True, capture_output=True)
+    run([*strict, "-c", "haptic.c"], folder)
+    run(["clang", "-std=c99", "-o", "by_clang", "selftest.c", "haptic.c", "-lm"], folder)
+    assert ", 0 missed" in run(["./by_clang"], folder)
+
+
+@pytest.mark.slow
+def test_the_rules_of_misra_that_it_breaks_are_those_of_the_page(folder):
+    needs("cppcheck")
+    command = ["cppcheck", "--addon=misra", "--std=c99", "--enable=style", "haptic.c"]
+    told = subprocess.run(command, cwd=folder, check=True, capture_output=True, text=True).stderr
+    page = (Path(__file__).parents[2] / "docs" / "export.md").read_text()
+    listed = re.findall(r"^\| (\d+\.\d+) \|", page, re.MULTILINE)
+    assert set(re.findall(r"misra-c2012-([\d.]+)", told)) == set(listed)
 
 
 def test_nothing_of_it_is_warned_of(folder):

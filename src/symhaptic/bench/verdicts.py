@@ -150,7 +150,9 @@ def measured(
             plants = count if delay <= most else max(1, round(count * (most / delay) ** 2))
             tried = {eps: near(delay, eps, plants) for eps in DISTANCES}
             for name, (verdicts, timed_way) in ways.items():
-                wrong, unsure, near_by = {}, {}, {}
+                wrong: dict[str, float] = {}
+                unsure: dict[str, float] = {}
+                near_by: dict[str, Any] = {}
                 size = _SIZES.get(name, timed)
                 for eps, (walls, truth) in tried.items():
                     with np.errstate(all="ignore"):
