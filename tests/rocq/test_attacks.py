@@ -410,10 +410,10 @@ ATTACKS = {
     ),
     "an order of exponentials": (
         lambda: combined(
-            Relation(exp(I * x) + exp(-I * x), "<=", S(2)),
-            [2, assume(Relation(cos(x), "<=", S.One))],
+            Relation(exp(I * x * (y + n)) + exp(-I * x * (y + n)), "<=", S(2)),
+            [2, assume(Relation(cos(x * (y + n)), "<=", S.One))],
         ),
-        [("(cos(x) <= 1) -> ", ""), ("Cexp(Ci*x)", "Cexp(2*Ci*x)"), ("(2)%C", "(1)%C")],
+        [("(cos(x*(n + y)) <= 1) -> ", ""), ("Cexp(Ci*", "Cexp(2*Ci*"), ("(2)%C", "(1)%C")],
     ),
     "an imaginary number": (
         lambda: number(Relation(2 * I * pi, "!=", S.Zero)),
