@@ -15,7 +15,8 @@ from setuptools.command.build_py import build_py
 
 HERE = Path(__file__).parent
 KERNELS = "src/symhaptic/kernels"
-SOURCES = "ufuncs.cpp", "filter.cpp", "haptic.c", "haptic_single.c"
+HEADERS = "table.h", "filter.h", "ordinary.h"
+SOURCES = "ufuncs.cpp", "filter.cpp", "delay.cpp", "ordinary.cpp", "haptic.c", "haptic_single.c"
 
 
 RECORDS = ("ledger.json", "rocq.json", "mutants.json", "bench.json")
@@ -77,7 +78,7 @@ setup(
         Extension(
             "symhaptic.kernels._compiled",
             sources=[f"{KERNELS}/{name}" for name in SOURCES],
-            depends=[f"{KERNELS}/{name}" for name in ("haptic.c", "table.h", "filter.h")],
+            depends=[f"{KERNELS}/{name}" for name in ("haptic.c", *HEADERS)],
             include_dirs=[numpy.get_include()],
             optional=True,
         ),

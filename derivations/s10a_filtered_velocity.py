@@ -1,8 +1,8 @@
 r"""Which walls are passive if the velocity is filtered?
 
-Most controllers smooth the difference of two samples by an exponential average,
-$v_k=f_v\,v_{k-1}+(1-f_v)(x_k-x_{k-1})/T$ with a pole $0\le f_v<1$. How much damping does the
-device need then, and is a wall that is passive without the filter passive with it?
+Most controllers filter the difference of two samples by an exponential average,
+$v_k=f_v\,v_{k-1}+(1-f_v)(x_k-x_{k-1})/T$ with a pole $0\le f_v<1$. How much damping must the device
+have, and does a passive wall stay passive with the filter?
 """
 
 from sympy import Eq, I, Rational, S, cos, exp, pi
@@ -49,8 +49,8 @@ def derive(page):
         "A filtered wall is passive if and only if it does not pull and the damper burns enough at "
         "each angle",
         by_angle(),
-        because="the answers of the filter fade, so that the energy of a motion is an integral "
-        "over its spectrum as for a wall without filter",
+        because="the impulse response of the filter decays, so that the energy of a motion is an "
+        "integral over its spectrum, as for a wall without a filter",
     )
     slow, fast = b - SLOW.left, b - FAST.left
     weight = (1 - f_v) ** 2 * (1 + cos(theta)) / (2 * (1 - 2 * f_v * cos(theta) + f_v**2))
@@ -63,8 +63,8 @@ def derive(page):
     found = page.lemma(
         "A filtered wall that does not pull is passive if and only if it meets both bounds",
         decides(),
-        because="a mean of two numbers that are not negative is not negative; and the margin "
-        "comes as close to both as one likes",
+        because="a mean of two numbers that are not negative is not negative; and the margin comes "
+        "arbitrarily close to both",
         boxed=True,
     )
     easy = {K: S.One, B: S.One, b: S.One, T: S.One, f_v: S.Half}
@@ -72,14 +72,14 @@ def derive(page):
         FILTERED,
         found,
         example=easy,
-        note="exact for this loop without delay, walls on both borders included. The first bound "
-        "is the stricter one for $B>0$, the second for $B<0$, which no filter makes milder. Behind "
-        "a delay (4) decides",
+        note="exact for this loop without delay, with the walls on both borders. The first bound "
+        "is stricter for $B>0$ and the second for $B<0$; no filter relaxes the second. With a "
+        "delay (4) decides",
     )
     page.say(
         "The filter removes the virtual damper at high frequencies, where sampling makes it "
-        "active. With $f_v=0.9$ only a nineteenth of $B$ counts. This is a statement about "
-        "passivity. For the stability of a light device the same filter is a loss, see "
+        "active. With $f_v=0.9$ only a nineteenth of $B$ remains in the second bound. This "
+        "concerns passivity. The same filter reduces the stable stiffness of a light device, see "
         "\\chapter{s10f_filtered_mass}."
     )
     found = page.lemma("A wall that meets (6) is passive with every filter", without_filter())
@@ -89,7 +89,7 @@ def derive(page):
         found,
         example=late | {d: S.Zero},
         unless={Eq(d, 0): (late, gives_energy(late, pi / 3))},
-        shows="$K=1$, $B=\\tfrac18$, $b=\\tfrac34$, $T=1$: delayed by one period, the "
-        "wall gives energy to slow motions",
+        shows="$K=1$, $B=\\tfrac18$, $b=\\tfrac34$, $T=1$: with a delay of one period the wall "
+        "delivers energy in slow motions",
         note="safe with every filter, exact without one; no delay is allowed for",
     )

@@ -1,8 +1,8 @@
 r"""How large may a virtual mass be?
 
-A wall can feel heavy: it answers with a force $m_v(x_k-2x_{k-1}+x_{k-2})/T^2$ to the acceleration
-that it computes from three samples. Which virtual masses are passive, alone and beside a spring and
-a damper, and which are stable?
+A virtual mass is a force $m_v(x_k-2x_{k-1}+x_{k-2})/T^2$, proportional to the acceleration that is
+computed from three samples. Which virtual masses are passive, alone or together with a spring and a
+damper, and which are stable?
 """
 
 from sympy import Eq, I, Rational, S, cos, exp
@@ -60,10 +60,7 @@ def derive(page):
         boxed=True,
     )
     page.settle(
-        BESIDE,
-        found,
-        example=STILL,
-        note="exact without delay, walls on the border included",
+        BESIDE, found, example=STILL, note="exact without delay, with the walls on the border"
     )
     _alone(page)
     _free(page)
@@ -81,9 +78,9 @@ def _alone(page):
         found,
         example=STILL,
         unless={none[0]: (stiff, gives_energy(stiff)), none[1]: (damped, gives_energy(damped))},
-        shows="$b=\\tfrac12$, $T=1$, $m_v=\\tfrac14$: the virtual mass takes all the damping, and "
-        "none is left for a spring",
-        note="exact for a virtual mass alone; a spring and a damper want damping of their own",
+        shows="$b=\\tfrac12$, $T=1$, $m_v=\\tfrac14$: the virtual mass requires all of the "
+        "damping, so that none remains for a spring",
+        note="exact for a virtual mass alone; a spring and a damper require additional damping",
     )
 
 
@@ -97,8 +94,8 @@ def _free(page):
         z ** (d + 2) * (1 + response * z**-d),
         z ** (d + 2) + mu / 2 * (z + 1),
         name="p_M(z)",
-        because="what is left of the loop's polynomial beside $(z-1)^2$, the free motion at "
-        "constant speed, which a virtual mass does not slow down",
+        because="the loop's polynomial without the factor $(z-1)^2$ of the free motion at constant "
+        "speed, which a virtual mass does not change",
     )
     found = page.lemma("Without delay a virtual mass is stable just below $2m$", free())
     slow = {m_v: Rational(3, 2), m: S.One, d: S.One}
@@ -107,6 +104,6 @@ def _free(page):
         found,
         example=slow | {d: S.Zero},
         unless={Eq(d, 0): (slow, swings_up(slow))},
-        shows="$m_v=\\tfrac32m$ delayed by one period swings up",
+        shows="$m_v=\\tfrac32m$ is unstable with a delay of one period",
         note="exact for a free mass without delay",
     )

@@ -1,59 +1,44 @@
 r"""How stiff may a spring be in a simulator?
 
-A simulator moves a mass in steps of Euler's methods and not by Newton's law: its force is computed
-from position and velocity of the mass itself. The limits of stiffness that simulation code has are
-of this loop. Are they exact there, and what are they worth for a device?
+A simulator integrates Newton's law by Euler's method, and computes the force from position and
+velocity of the simulated mass. The stiffness limits in simulation code apply to this loop. Are they
+exact for it, and are they valid for a real device?
 """
 
-from sympy import Matrix, Rational, S, eye
+from sympy import Matrix
 
 from symhaptic.book.lemmas.decided import SI, decided_by, escapes
 from symhaptic.book.lemmas.held_motion import of_two_samples, settle_by_two_samples
-from symhaptic.book.sources import CLAIMED, STATEMENTS
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.sources import STATEMENTS
 from symhaptic.loops.plant import moving_mass
-from symhaptic.notation import B, K, T, alpha, beta, m, z
-from symhaptic.notation.proposition import both
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import add_assum, conj, mp
-from symhaptic.proof.theorems.tactics import counterexample, every, example, for_all, not_all
 from symhaptic.rules.other_loops import EXPLICIT, SEMI_IMPLICIT
 
-SEMI, PLAIN, BOTH, ONE, HELD = (
-    f"rules:{name}"
-    for name in (
-        *("semi-implicit-euler", "euler-explicit", "both-below-two", "one-mass"),
-        "euler-for-devices",
-    )
-)
+SEMI, PLAIN, BOTH = "rules:semi-implicit-euler", "rules:euler-explicit", "rules:both-below-two"
+ONE, HELD = "rules:one-mass", "rules:euler-for-devices"
 POINT = {K: S.One, B: S.Half, T: S.One, m: S.One}
 EDGE = {K: S.Half, B: Rational(19, 10), T: S.One, m: S.One}
 
 
 def derive(page):
     _steps(page)
-    bounds = {id: STATEMENTS[id].printed for id in (SEMI, PLAIN)}
     found = {
-        SEMI: decided_by(SEMI_IMPLICIT, *bounds[SEMI]),
-        PLAIN: decided_by(EXPLICIT, *bounds[PLAIN]),
+        id: decided_by(loop, *STATEMENTS[id].printed)
+        for id, loop in ((SEMI, SEMI_IMPLICIT), (PLAIN, EXPLICIT))
     }
     for id, name in ((SEMI, "Semi-implicit Euler"), (PLAIN, "Explicit Euler")):
-        symbols, given, _ = taken_apart(CLAIMED[id](bounds[id]))
         theorem = page.lemma(
             f"{name} is stable just within these bounds",
             found[id],
             because="they are Jury's inequalities for two zeros",
             boxed=True,
         )
-        page.settle(
-            id,
-            for_all(symbols, given, add_assum(theorem, *given)),
-            example=example(POINT, given),
-            note="exact for this simulator",
-        )
+        page.settle(id, theorem, example=POINT, note="exact for this simulator")
     page.say(
-        "The well-known $K<4m/T^2$ and $B<2m/T$ are the two ends of the first bound. At $B=0$ "
-        "the spring of semi-implicit Euler neither grows nor fades; each unit of damping takes "
-        "away $2/T$ of stiffness. Explicit Euler has no end at $B=0$: it needs $B>KT$."
+        "The well-known limits $K<4m/T^2$ and $B<2m/T$ are the two end points of the first bound. "
+        "At $B=0$ the oscillation of semi-implicit Euler neither grows nor decays. Each unit of "
+        "damping reduces the stiffness limit by $2/T$. Explicit Euler is unstable at $B=0$: it "
+        "requires $B>KT$."
     )
     _below_two(page, found)
     _one_mass(page, found[SEMI])
@@ -68,9 +53,9 @@ def _steps(page):
     new_speed = eye(2) + Matrix([[0, 0], rate.row(1)]) - push * wall
     moves = Matrix([[1, 1], [0, 1]])
     page.say(
-        "In units of mass and period the force is $-(\\alpha x+\\beta v)$. Both methods change the "
-        "velocity by it; semi-implicit Euler then moves by the new velocity, explicit Euler by the "
-        "old one."
+        "In units of mass and period the force is $-(\\alpha x+\\beta v)$. In both methods this "
+        "force changes the velocity. Semi-implicit Euler then moves the mass by the new velocity, "
+        "explicit Euler by the old one."
     )
     page.step(
         "The loop of semi-implicit Euler has this polynomial",
@@ -88,54 +73,48 @@ def _steps(page):
 
 def _below_two(page, found):
     """Two checks that are made one by one."""
-    claim = CLAIMED[BOTH](STATEMENTS[BOTH].printed)
-    symbols, given, then = taken_apart(claim)
-    loops = [found[id].conclusion for id in (SEMI, PLAIN)]
-    given = given[:2]
+    symbols, given, then = taken_apart(page.claim(BOTH))
+    exact = [found[id] for id in (SEMI, PLAIN)]
     page.lemma("Explicit Euler lets $KT^2/m=1$, $BT/m=\\frac12$ grow", escapes(EXPLICIT, POINT))
     page.lemma(
         "Semi-implicit Euler lets $KT^2/m=\\frac12$, $BT/m=\\frac{19}{10}$ grow",
         escapes(SEMI_IMPLICIT, EDGE),
     )
-    cases = [
-        counterexample(claim, at, not_all(then.at(at), escapes(loop, at)))
-        for loop, at in ((EXPLICIT, POINT), (SEMI_IMPLICIT, EDGE))
-    ]
-    theorem = conj(*(found[id] for id in (SEMI, PLAIN)))
     page.settle(
         BOTH,
-        for_all(symbols, given, add_assum(theorem, *given)),
-        instead=every(symbols, given, both(loops)),
+        conj(*exact),
+        instead=every(symbols, given[:2], both(t.conclusion for t in exact)),
         corrected=[
             r"K<\tfrac{4m}{T^2}-\tfrac{2B}{T}\ \text{with semi-implicit Euler}",
             r"K<\tfrac BT\ \text{and}\ K>\tfrac{2B}{T}-\tfrac{4m}{T^2}\ \text{with explicit Euler}",
         ],
         misprint=False,
-        example=example(POINT, given),
-        unless=cases,
-        shows="explicit Euler grows at $(1,\\tfrac12)$, semi-implicit Euler at "
+        example=POINT,
+        unless=[
+            (at, not_all(then.at(at), escapes(loop, at)))
+            for loop, at in ((EXPLICIT, POINT), (SEMI_IMPLICIT, EDGE))
+        ],
+        shows="explicit Euler is unstable at $(1,\\tfrac12)$, semi-implicit Euler at "
         "$(\\tfrac12,\\tfrac{19}{10})$: spring and damper share one bound",
     )
 
 
 def _one_mass(page, exact):
     """A quarter of the end of the bound."""
-    claim = CLAIMED[ONE](STATEMENTS[ONE].printed)
-    symbols, given, _ = taken_apart(claim)
     little = 3 * m / (2 * T) >= B
-    here = SI.and_(*given, little)
+    here = SI.and_(*taken_apart(page.claim(ONE))[1], little)
     bounds = exact.conclusion.of[0]
     theorem = page.lemma(
         "With little damping a quarter of $4m/T^2$ is stable in a simulator",
         here.closed(mp(exact, here.show(bounds))),
-        because="up to three quarters of $2m/T$ the damping leaves a quarter of the bound",
+        because="with a damping of up to three quarters of $2m/T$ at least a quarter of the bound "
+        "remains",
     )
-    given = [*given, little]
     page.settle(
         ONE,
-        for_all(symbols, given, add_assum(theorem, *given)),
-        example=example(POINT | {K: S.Half}, given),
-        unless=[counterexample(claim, EDGE, escapes(SEMI_IMPLICIT, EDGE), but=little)],
+        theorem,
+        example=POINT | {K: S.Half},
+        unless={little: (EDGE, escapes(SEMI_IMPLICIT, EDGE))},
         shows="$m=T=1$: $K=\\tfrac12$, $B=\\tfrac{19}{10}$ grows",
         note="of semi-implicit Euler; for a device in place of a simulator no multiple of "
         "$m/T^2$ is a limit (\\chapter{s8c_four_masses})",
@@ -145,8 +124,9 @@ def _one_mass(page, exact):
 def _held(page):
     """The same bound for a device."""
     page.say(
-        "A device differs from a simulator in two ways. Its force is held while it moves, and its "
-        "velocity is the difference of two samples. Each of them delays the wall by half a period:"
+        "A device differs from a simulator in two ways: its force is held while it moves, and its "
+        "velocity is the difference of two samples. Each of the two delays the wall by half a "
+        "period:"
     )
     page.step(
         "The simulator's bound is this many times that of a free mass without delay",

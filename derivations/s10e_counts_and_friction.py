@@ -1,8 +1,9 @@
 r"""How stiff may a spring be whose position is counted?
 
-An encoder gives the position in whole counts $\Delta_x$. The spring then pushes with a force that
-is wrong by up to half a count, and a hand can use that. A damper burns little of a slow motion;
-what helps is Coulomb friction $f_c$. How much of it does a stiffness need?
+An encoder reports the position in counts of size $\Delta_x$. The force of the spring then has an
+error of up to half a count, and a user can extract energy from it. A damper dissipates little
+energy in a slow motion, but Coulomb friction $f_c$ does. How much friction does a given stiffness
+require?
 """
 
 from sympy import Abs, Rational, S
@@ -24,8 +25,8 @@ RULE = "rules:counts-and-friction"
 def derive(page):
     page.say(
         "In a period the device moves from $x$ by $p_k$, against the held force $Ky$ of the count "
-        "$y$. The damper burns at least $bp_k^2/T$ and friction at least $f_c|p_k|$, however the "
-        "device moves in between. What is left over beside the energy of the spring is"
+        "$y$. The damper dissipates at least $bp_k^2/T$ and friction at least $f_c|p_k|$, whatever "
+        "the motion within the period. The remaining energy, apart from that of the spring, is"
     )
     page.step(
         "Sampling gives $\\frac12Kp_k^2$ in a period, and counting up to $\\frac12K\\Delta_x|p_k|$",
@@ -37,9 +38,10 @@ def derive(page):
         boxed=True,
     )
     page.say(
-        "Added up over all periods, the energy of the spring at the end remains, which is not "
-        "negative. Damper and friction have to cover one loss each. For a wall that only pushes "
-        "the same holds with its own energy, $\\frac12K\\max(x,0)^2$."
+        "The sum over all periods contains the final energy of the spring, which is not negative. "
+        "The damper has to dissipate the energy that sampling adds, and friction the energy that "
+        "rounding adds. The same holds for a wall that only pushes, with its own energy "
+        "$\\frac12K\\max(x,0)^2$."
     )
     page.lemma("Within both bounds no motion gains energy from a counted spring", spring_passive())
     page.lemma(
@@ -48,14 +50,16 @@ def derive(page):
         because="$\\max(x+p_k,0)^2\\le(\\max(x,0)+p_k)^2$, and $\\max$ makes no distance larger",
     )
     page.say(
-        "Both bounds are sharp. A hand that swings by $2h$ across the edge of a count meets the "
-        "lower force on its way up and is pushed by the higher one on its way down:"
+        "Both bounds are sharp. Let the position oscillate by $2h$ across the edge of a count. The "
+        "user then works against the lower force on the way up, and the higher force pushes on the "
+        "way down:"
     )
     page.step(
         "A small swing across the edge of a count leaves this energy",
         -K * Delta_x * 2 * h + 2 * b * (2 * h) ** 2 / T + 2 * f_c * 2 * h,
         -2 * h * (K * Delta_x - 2 * f_c - 4 * b * h / T),
-        because="negative for $K\\Delta_x>2f_c$ and a small $h$; repeated, it gains without end",
+        because="negative for $K\\Delta_x>2f_c$ and a small $h$; if it is repeated, the energy "
+        "grows without bound",
     )
     page.lemma(
         "Some motion gains energy beyond $2f_c/\\Delta_x$, with any damper",
@@ -64,7 +68,8 @@ def derive(page):
     page.lemma(
         "Some motion gains energy beyond $2b/T$, with any friction",
         across_many(FORCES[1]),
-        because="a swing over many counts, with a loss that grows with the square of the way",
+        because="an oscillation over many counts, with a loss that grows with the square of the "
+        "amplitude",
     )
     found = page.lemma(
         "A counted spring is passive if and only if it meets both bounds, and so is a counted wall",
@@ -76,8 +81,8 @@ def derive(page):
         RULE,
         found,
         example=point,
-        note="exact without delay and virtual damping, both borders included. A spring that damps "
-        "by differences of counts, or behind a delay, needs more",
+        note="exact without delay and virtual damping, both borders included. Virtual damping from "
+        "differences of counts, or a delay, requires more",
     )
     swing = {K: S.One, Delta_x: S.One, T: S.One, b: S.One, f_c: Rational(1, 4), h: Rational(1, 16)}
     page.step(

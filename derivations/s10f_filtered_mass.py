@@ -1,8 +1,8 @@
 r"""What does a filter of the velocity cost a light device?
 
-A damper whose velocity passes a low-pass filter, $1/(\tau_fs+1)$ by backward Euler, damps late. For
-a free mass we find how stiff the wall may be, and ask whether the filter counts as a delay of its
-time constant.
+A low-pass filter of the velocity, $1/(\tau_fs+1)$ by backward Euler, delays the force of the
+damper. For a free mass we derive how stiff the wall may be, and whether the filter is equivalent to
+a delay by its time constant.
 """
 
 from symhaptic.book.lemmas.decided import SI, escapes, in_z
@@ -29,7 +29,7 @@ def derive(page):
         (z - 1) ** 2 * (z - f_v) * (1 + mass.numerator / mass.denominator * wall),
         LOOP.of[0].subs({K: alpha, B: beta}),
         name=r"p_f(z)",
-        because="the filter takes the place of the sample before",
+        because="the state of the filter replaces the previous sample",
     )
     page.lemma(
         "For $m=T=1$ a free mass with a filtered velocity is stable just within these bounds",
@@ -61,17 +61,17 @@ def _tangent(page, printed):
         "On the line $K=2B/T$ the last bound is missed by the square of the damping",
         (left - right).subs(K, 2 * B / T),
         4 * B**2 * (T + tau_f) * (T + 2 * tau_f) / T**2,
-        because="so that this line is the tangent at the origin with every filter, and the filter "
-        "bends the boundary away from it",
+        because="so this line is the tangent at the origin for every filter; the filter affects "
+        "only the curvature of the boundary",
     )
     page.lemma(
         "With every filter a stable wall of a free mass lies below the line $K=2B/T$",
         below_the_tangent(*printed),
     )
     page.say(
-        "This is the tangent of a wall without filter. Slow motions are driven by the delay of the "
-        "spring, and the spring is not filtered. The delay of the damper has an effect of second "
-        "order. A delay of the whole wall is different: its tangent is $K=B/(\\frac12T+t_d)$."
+        "This is also the tangent without the filter. For slow motions the delay of the spring is "
+        "decisive, and the spring is not filtered. The delay of the damper has only a second-order "
+        "effect. A delay of the complete wall is different: its tangent is $K=B/(\\frac12T+t_d)$."
     )
 
 
@@ -89,9 +89,9 @@ def _delay(page, printed, soft):
         found,
         example=soft | {K: S.One / 8},
         unless={LITTLE: (strong, escapes(LOW_PASS, strong))},
-        shows="$m=T=\\tau_f=B=1$: $K<\\tfrac23$ is allowed, and $K=\\tfrac12$ grows",
-        note="at the origin the rule is too careful by the factor $1+2\\tau_f/T$; from "
-        "$B=2m\\tau_f/(T(T+4\\tau_f))$ on it allows too much, and for $\\tau_f=0$ everywhere",
+        shows="$m=T=\\tau_f=B=1$: the rule allows $K<\\tfrac23$, and $K=\\tfrac12$ is unstable",
+        note="at the origin the rule is too strict by the factor $1+2\\tau_f/T$; from "
+        "$B=2m\\tau_f/(T(T+4\\tau_f))$ on it allows unstable walls, and for $\\tau_f=0$ everywhere",
     )
 
 
@@ -156,8 +156,7 @@ def decides(*printed: Any) -> Theorem:
         back.append(combined(raw, [TAU.show(1 / share > 0), given]))
     forth = mp(found, conj(*back))
     here = prove_hyp(conj(*there), mp(found, assume(loop)))
-    same = either_way(forth, here, wanted, loop)
-    return TAU.closed(same, TAU.show(1 / T > 0))
+    return TAU.closed(either_way(forth, here, wanted, loop), TAU.show(1 / T > 0))
 
 
 LITTLE = proposition(2 * m * tau_f / (T * (T + 4 * tau_f)) >= B)
@@ -188,5 +187,4 @@ def below_the_tangent(*printed: Any) -> Theorem:
     far, slope = here.show(T + 2 * tau_f > 0), here.show(B * (T + 4 * tau_f) > 0)
     rows = [pushes, pushes, assume(tau_f >= 0), far], [pushes, slope], [2, damps, damps]
     share = here.show(1 / (2 * m) > 0)
-    found = combined(K < 2 * B / T, [share, room], *([share, *row] for row in rows))
-    return TAU.closed(found)
+    return TAU.closed(combined(K < 2 * B / T, [share, room], *([share, *row] for row in rows)))

@@ -1,9 +1,9 @@
 r"""Is a virtual coupling passive if its damper outweighs half of its spring?
 
-In a laboratory a delta.3 has to feel as heavy as 2.4 kg. Its design record is public. It says why a
-force in proportion to the acceleration cannot do that, and what is done instead: a computer
-simulates the mass by backward Euler, and a spring and a damper couple it to the device. We check
-each number and each relation of the record.
+A laboratory renders a mass of 2.4 kg with a delta.3 device, and its design record is public. The
+record explains why a force proportional to the measured acceleration cannot do this. Instead, a
+computer simulates the mass by backward Euler, and a spring and a damper couple it to the device. We
+check each number and each relation of the record.
 """
 
 from symhaptic.book.lemmas.decided import SI, escapes
@@ -33,9 +33,9 @@ def derive(page):
 def _damper(page):
     """The coupling as a wall: its other end, the simulated mass, is held."""
     page.say(
-        "The device is at $x$ and the simulated mass at $x_s$. The coupling pulls with the force "
-        "$K(x_s-x)+B(v_s-v)$. A coupling that is passive with every mass is passive with a very "
-        "heavy one, which stays where it is. Then the coupling is a wall."
+        "The device is at $x$ and the simulated mass at $x_s$. The force of the coupling is "
+        "$K(x_s-x)+B(v_s-v)$. A coupling that is passive with every mass is also passive with a "
+        "very heavy one, which does not move. The coupling is then a wall."
     )
     [right] = read(RIGHT)
     found = page.lemma(
@@ -52,9 +52,9 @@ def _damper(page):
         misprint=False,
         example=wall | {b: S(2)},
         unless=[(wall, drives(wall))],
-        shows="$K=2$, $B=T=b=1$ meets the record and gives energy away; it needs $b=2$",
-        note="the damper that has to outweigh $KT/2$ is that of the device, and a virtual damper "
-        "needs damping of its own: more $B$ makes the coupling less passive",
+        shows="$K=2$, $B=T=b=1$ meets the record and delivers energy; it requires $b=2$",
+        note="the damper that has to exceed $KT/2$ is that of the device. The virtual damper "
+        "requires additional damping, so that a larger $B$ makes the coupling less passive",
     )
 
 
@@ -82,8 +82,8 @@ def _implicit(page):
         example=step,
         unless=[step],
         shows="$m=k=T=1$: from $x=1$ at rest, half of the energy is left after one step",
-        note="never more energy is what passivity needs; an oscillation of the simulated mass is "
-        "damped by the method",
+        note="the energy never increases, as passivity requires; the method also damps an "
+        "oscillation of the simulated mass",
     )
 
 
@@ -95,7 +95,7 @@ def _masses(page):
         free(),
         example=slow | {d: S.Zero},
         unless={Eq(d, 0): (slow, swings_up(slow))},
-        shows="$m_v=\\tfrac32m$ delayed by one period swings up",
+        shows="$m_v=\\tfrac32m$ is unstable with a delay of one period",
         note="exact for a free mass without delay, see \\chapter{s10b_virtual_mass}",
     )
     found = page.lemma(
@@ -114,7 +114,7 @@ def _masses(page):
     page.lemma(
         "Beside the spring $KT^2/m=\\frac1{10}$ a virtual mass of $\\frac14m$ is not stable",
         escapes(SPRUNG, light),
-        because="sampling drives the spring more than so light a virtual mass damps it",
+        because="sampling adds more energy to the spring than such a light virtual mass dissipates",
     )
 
 
@@ -137,8 +137,8 @@ def _numbers(page):
         "only for $b$ of about $10^{-4}$ Ns/m or less",
     )
     page.say(
-        "The record gives the device 0.4 to 0.5 kg, of which 2.4 kg are 4.8 to 6 times as much. "
-        "Twelve is the ratio to 0.2 kg, half of the smaller mass."
+        "According to the record the device has a mass of 0.4 to 0.5 kg, so that 2.4 kg is 4.8 to "
+        "6 times as much. The factor of twelve is the ratio to 0.2 kg, half of the smaller mass."
     )
     page.settle_slip(
         "coupling:ratio",

@@ -35,7 +35,7 @@ def derive(page):
     page.settle(
         "eq3", Eq(m, mass), Eq(b, damping), Eq(k, stiffness, evaluate=False), definition=True
     )
-    page.say("This loses no generality if the external force is arbitrary:")
+    page.say("There is no loss of generality if the external force is arbitrary:")
     page.step(
         "The arm's forces can be counted as external",
         both * x - F_E,
@@ -54,8 +54,4 @@ def _settle(page):
         for known, wanted in ((together, alone), (alone, together))
     )
     same = either_way(there, back, together, alone)
-    page.settle(
-        "s2d-arm-in-force",
-        same,
-        example=dict.fromkeys(symbols, S.One),
-    )
+    page.settle("s2d-arm-in-force", same, example=dict.fromkeys(symbols, S.One))

@@ -49,7 +49,8 @@ def derive(page):
     )
     _not_negative(page)
     page.say(
-        r"Now the free mass, $\gamma=\delta=0$, in units of $m$ and $T$. A unit force is held for "
+        r"Now consider the free mass, $\gamma=\delta=0$, in units of $m$ and $T$. A unit force is "
+        r"held for "
         "one period and arrives with a delay of $d<1$ periods. Where is the mass at the next "
         "sample?"
     )
@@ -67,7 +68,7 @@ def derive(page):
         late.subs(d, 0),
         undelayed.n1,
         name="x_1|_{d=0}",
-        because="an integer delay shifts the samples and changes none of them",
+        because="an integer delay shifts the samples and does not change their values",
     )
     page.say(
         r"The model $z^{-d}P(z)$ predicts no motion at the next sample. For $d=\tfrac12$ the mass "

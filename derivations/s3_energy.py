@@ -7,9 +7,7 @@ dissipates. Which inequality excludes this, and is it sufficient?
 
 from sympy import re
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.largest_damping import divisors
-from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation import function
 from symhaptic.paper.propositions.passivity import ANSWER, TAPS

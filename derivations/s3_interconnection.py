@@ -69,7 +69,7 @@ def derive(page):
         Plant(m, None, None).transition(t)[0, 1],
         t,
         name=r"x/v_0",
-        because="it receives energy only from the push, and drifts for ever",
+        because="it receives energy only from the initial push, and then drifts forever",
     )
     page.say(
         "Let $Z_1=R_1+jX_1$ and $Z_2=R_2+jX_2$ be the frequency responses of two linear systems. "

@@ -1,7 +1,7 @@
 """Does the condition also hold for a wall that only pushes?
 
 A real virtual wall only pushes: its force is zero without contact. The paper cites its first
-reference for the claim that the passivity condition stays the same. We check how much of that
+reference for the claim that the passivity condition is the same. We check how much of this claim
 follows from a simple bound.
 """
 
@@ -10,8 +10,8 @@ from symhaptic.book.lemmas.prelude import *
 
 def derive(page):
     page.say(
-        "Let the spring force $f(x)$ have a slope between 0 and $K$, as that of a unilateral "
-        "spring; $U$ is its energy. Over one step $U$ grows by at most the initial force times "
+        "Let the spring force $f(x)$ have a slope between 0 and $K$, as a unilateral spring has. "
+        "Let $U$ be its energy. Over one step $U$ grows by at most the initial force times "
         "the step, plus a term from the slope:"
     )
     page.step(

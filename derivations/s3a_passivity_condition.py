@@ -5,7 +5,6 @@ coupled to a device that dissipates energy only by its damping $b$. We ask for w
 motion of the device can extract energy.
 """
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.largest_damping import divisors, margins
 from symhaptic.book.lemmas.mass import no_mass_differs, of_mass
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS
@@ -87,8 +86,7 @@ def _mass(page):
 def _settle(page, printed):
     """(5) decides for integer delays and walls that do not pull, but on the border."""
     claim = CLAIMED["eq5"]((printed,))
-    same = taken_apart(claim)[2]
-    frequencies, passive = same.of
+    frequencies, passive = taken_apart(claim)[2].of
     extra = [whole(d), K >= 0, off_border()]
     enough = follows(passive_by_angle(), assume(K >= 0), margins(frequencies))
     page.lemma(r"With an integer delay a wall with $K\ge0$ that meets (5) is passive", enough)

@@ -1,7 +1,7 @@
 """Which walls are on the border of passivity at a given frequency?
 
 At one frequency the condition is a half plane in the $(K,B)$ plane, bounded by a line. As the
-frequency changes the line rotates and shifts, and all lines together have an envelope.
+frequency changes, this line moves, and the family of lines has an envelope.
 """
 
 from symhaptic.book.figures.arguments import lines_of_angles

@@ -27,8 +27,8 @@ def derive(page):
     )
     page.say(
         "For damping in the stated range the low frequencies are the strictest, and the "
-        "condition is exact except for equality. It does not apply to negative $K$: (5) can fail "
-        "at higher frequencies."
+        "condition is exact except for equality. It does not apply to negative $K$, for which (5) "
+        "can fail at higher frequencies."
     )
     _condition(page, limit_of_k > K)
 

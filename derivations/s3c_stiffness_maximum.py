@@ -4,7 +4,6 @@ It is the rightmost point of the boundary. There the coefficient of the damping 
 vanishes. This gives the frequency, and with it the wall.
 """
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.motions import half_late, not_passive
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import TURN, bound, largest_of, stiffest_wall, waves
@@ -108,8 +107,7 @@ def _stiffest(page, *derived):
         "$\\sin(d+\\frac12)\\theta=\\cos\\frac\\theta2$: that is "
         "$b\\ge\\frac12KT\\cot\\frac\\theta2$",
     )
-    claim = CLAIMED["eq11"](PRINTED)
-    _, given, then = taken_apart(claim)
+    _, given, then = taken_apart(CLAIMED["eq11"](PRINTED))
     found = page.lemma(
         "The wall of (11) is passive and has the maximum stiffness",
         stiffest_wall(*map(assume, given[-2:])),

@@ -30,8 +30,8 @@ def derive(page):
     angle = pi / (2 * (d + 1))
     tip = [e.subs(theta, angle) for e in (stiffness, damping)]
     page.say(
-        "In units of $b$ and $T$ a curve of Fig. 4 runs straight from $(0,-1)$ to a corner, bends "
-        "to its tip and ends at $(0,1)$."
+        "In units of $b$ and $T$ each curve of Fig. 4 is a straight line from $(0,-1)$ to a "
+        "corner. From there it curves to its tip and ends at $(0,1)$."
     )
     delay = 3 * y / (1 - 2 * y)
     dashed = page.step(

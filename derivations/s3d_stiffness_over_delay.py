@@ -21,7 +21,7 @@ def derive(page):
         passivity.envelope()[0].subs(theta, angle) * T / b,
         2 * tan(angle / 2),
         name=r"\frac{K_{\max}T}{b}",
-        because="the tip of the envelope, where the damping does nothing",
+        because="the tip of the envelope, at which the damping drops out",
     )
     page.lemma(
         "With half a period of delay the wall $K=1.17\\,b/T$, $B=0.32\\,b$ is passive",

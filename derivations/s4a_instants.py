@@ -31,8 +31,8 @@ def derive(page):
     page.say(
         "An integer delay of $d$ periods puts $F_{k-d}$ in place of $F_k$; the force is still "
         "held from one sampling instant to the next. So for integer delays, and as long as the "
-        "external force is held too, the samples are exact. We now violate one of the two "
-        "assumptions for a free mass, in units of mass and period."
+        "external force is held too, the samples are exact. We now drop one of the two assumptions "
+        "at a time, for a free mass in units of mass and period."
     )
     free = normalised(Parts(stiffness=False, damping=False))
     page.step(
@@ -40,7 +40,7 @@ def derive(page):
         integrate(free.transition(1 - t)[0, 1] * t, (t, 0, 1)),
         Rational(1, 6),
         name="x_1",
-        because="by its samples $F_0=0$ the mass would not have moved",
+        because="according to the samples, $F_0=0$, the mass would not move",
     )
     page.step(
         "A held force with a fractional delay is not the shifted one",

@@ -119,6 +119,5 @@ def _abbreviations(page, *forms):
     parts = [
         renamed(known, part, spring, damper) for part, known in zip(then.of, names[2:], strict=True)
     ]
-    found = closed(conj(*parts), positive(Ne(m, 0), m > 0))
-    theorem = found
+    theorem = closed(conj(*parts), positive(Ne(m, 0), m > 0))
     page.settle("eq15", theorem, *forms, example=shown_at(claim, SWINGING))

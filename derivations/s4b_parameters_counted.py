@@ -37,7 +37,7 @@ def derive(page):
         len(names) - rank,
         Integer(5),
         name=r"7-\text{rank}",
-        because="no more and no fewer (Buckingham's theorem)",
+        because="the number of dimensionless parameters, by Buckingham's theorem",
     )
     rules = [read(row.dimensionless)[0] for row in TABLE_I if row.dimensionless is not None]
     chosen = Matrix([[r.rhs.as_powers_dict()[Symbol(name)] for name in names] for r in rules])

@@ -109,8 +109,8 @@ def _scenes(page):
         "is derived without the missing part and shown to be the limit of the larger one."
     )
     page.say(
-        "The free mass moves by half a unit per unit force and period; with a damper its speed "
-        r"decays; with a spring it oscillates, $\Omega=\sqrt\gamma$."
+        "Under a unit force the free mass moves by half a unit in the first period. With a damper "
+        r"its speed decays. With a spring it oscillates with $\Omega=\sqrt\gamma$."
     )
     free, damped = (
         plant.sampled(plant.normalised(parts))

@@ -61,11 +61,7 @@ def _five(page):
     (one, first), (two, second) = (answered({**v, z: 4}) for v in (light, heavy))
     other = {SECOND[v]: value for v, value in heavy.items()}
     values = {v: S(value) for v, value in (light | other | numbers).items()} | {X: one, X_d: two}
-    page.settle(
-        "s4b-five-parameters",
-        found,
-        example=(values, first, second),
-    )
+    page.settle("s4b-five-parameters", found, example=(values, first, second))
 
 
 def _degree(page):

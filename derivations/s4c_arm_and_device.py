@@ -54,8 +54,7 @@ def derive(page):
 
 def _numbers(page, *forms):
     """Table I makes (19) of (2)."""
-    theorem = numbers(page.claim("eq19"))
-    page.settle("eq19", theorem, *forms, example=PLAIN | WHOLE)
+    page.settle("eq19", numbers(page.claim("eq19")), *forms, example=PLAIN | WHOLE)
 
 
 def _bounds(page):
@@ -113,7 +112,5 @@ def _limits(page):
         conj(*limits(page.claim("s4c-independent-limits"))),
     )
     page.settle(
-        "s4c-independent-limits",
-        found,
-        example=PLAIN | dict.fromkeys((x, y, y_D, y_H), S.One),
+        "s4c-independent-limits", found, example=PLAIN | dict.fromkeys((x, y, y_D, y_H), S.One)
     )

@@ -1,7 +1,7 @@
 r"""Which stiffness and damping per mass do the arms of the literature reach?
 
-The paper takes the largest ratios of Table II and adds the damping of a device. We follow the
-numbers in exact fractions.
+The paper takes the largest ratios of Table II and adds the damping of a device. We repeat the
+calculation in exact fractions.
 """
 
 from sympy import Le, Lt, ceiling

@@ -1,7 +1,8 @@
 """How much wider are the ranges (23) than the arms of the literature?
 
-The paper says by roughly 30 %, and by 30 % in the caption of Fig. 6. It also takes a period of at
-most 1 ms. We check both numbers, and for which periods the ranges contain all arms.
+According to the paper by roughly 30 %, and by 30 % in the caption of Fig. 6. The paper also assumes
+a period of at most 1 ms. We check both numbers, and ask for which periods the ranges contain all
+arms.
 """
 
 from sympy import ceiling

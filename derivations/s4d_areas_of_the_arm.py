@@ -6,11 +6,10 @@ the areas of the regions without delay.
 
 from symhaptic.book.lemmas.areas import damper_adds, mass_adds
 from symhaptic.book.lemmas.outpaced import at_point
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.spring_box import HIGH, LOW, PRIMED, THIN, WIDE, L, bounds
 from symhaptic.book.lemmas.stability import by_inequalities
-from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known
+from symhaptic.book.lemmas.stiffest_stable import inequalities
 from symhaptic.paper.propositions.areas import ENDS, moved_by_the_spring
 from symhaptic.proof import box
 from symhaptic.proof.theorems.leaves import on_box as on_plain_box
@@ -87,8 +86,7 @@ class Both:
 
     def of(self, expr: Expr, device: dict[Symbol, Expr]) -> Theorem:
         """0 < f of one of the devices."""
-        found = at_point(expr, {s: (device[s], device[s]) for s in RANGES})
-        return inst(found, device)
+        return inst(at_point(expr, {s: (device[s], device[s]) for s in RANGES}), device)
 
     def _known(self) -> list[Theorem]:
         """That wall and devices lie in the box."""

@@ -46,8 +46,9 @@ def derive(page):
         height=0.45,
     )
     page.say(
-        "No grid and no iteration: each angle gives one point of the boundary, where a pair of "
-        "roots crosses the circle. The other pieces are the lines of a root at 1 and at $-1$:"
+        "Neither a grid nor an iteration is necessary. Each angle gives one point of the boundary, "
+        "at which a pair of roots crosses the circle. The other pieces of the boundary are the "
+        "lines of walls with a root at 1 or at $-1$:"
     )
     page.step(
         r"A root at 1 means $\alpha=-\gamma$",
@@ -87,7 +88,7 @@ def derive(page):
         S.Zero,
         d + S.Half,
         name=r"\beta(\theta)/\alpha(\theta)",
-        because="damping over stiffness is the delay, half a period of hold included",
+        because="the ratio of damping to stiffness is the delay, with half a period for the hold",
     )
     _settled(page)
     _undamped(page)

@@ -4,7 +4,6 @@ The boundary runs through the angles $0<\theta<\pi$. We ask for its two ends, fo
 which it starts, and how it is related there to the line $\beta+\delta=\alpha(d+\tfrac12)$ of (25).
 """
 
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.enclosed import value as enclosed
 from symhaptic.proof.theorems.analysis import grows

@@ -5,9 +5,8 @@ arm. The left bound moves with the stiffness. Does the lower bound?
 """
 
 from symhaptic.book.figures.stability import origin as close_up
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import inequalities, of_every_plant, on_box
+from symhaptic.book.lemmas.stiffest_stable import inequalities, on_box
 from symhaptic.book.lemmas.undelayed_curve import BETWEEN, ROOM, TOTAL, enough, needed, plants
 from symhaptic.paper.propositions.plots import CURVE, FINE, FRAME
 

@@ -9,12 +9,10 @@ from itertools import combinations
 
 from sympy import Mul, sympify
 
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities, collected
 from symhaptic.model import jury
 from symhaptic.model.jury import jury as conditions_on
-from symhaptic.paper.propositions.comparison import STABLE
 
 FREE = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
 HEAVY = Sampled(Rational(17, 100), Rational(4, 100), Rational(101, 100), Rational(1, 100))

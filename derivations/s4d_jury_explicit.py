@@ -36,7 +36,7 @@ def derive(page):
     page.lemma(
         "At this stiffness the minor vanishes, with any spring",
         combined(Eq(split, 0), [assume(Eq(alpha + gamma, top / below)), -below]),
-        because="with a spring neither a grid nor a parameter is needed",
+        because="also with a spring, neither a grid nor a parameter is necessary",
         boxed=True,
     )
     page.say(

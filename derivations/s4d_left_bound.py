@@ -4,7 +4,6 @@ A wall with $\alpha<-\gamma$ cannot be stable. We ask whether the stable region 
 line $\alpha=-\gamma$.
 """
 
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import loop
 

@@ -1,20 +1,18 @@
 r"""Does the stable region still reach the line $\alpha=-\gamma$ with a delay?
 
-Without delay it does, for the arms of (23). With one period of delay it still does for a spring as
-soft as an arm's, but not for a stiff one.
+Without delay the region reaches this line for the arms of (23). With one period of delay it still
+does for a spring as soft as that of an arm, but not for a stiff one.
 """
 
 from symhaptic.book.lemmas import figure9
 from symhaptic.book.lemmas.boundary import at_rest
 from symhaptic.book.lemmas.lower_boundary import is_some
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, MARGIN, NUMBERS, passive_is_stable
-from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.book.lemmas.passive_is_stable import MARGIN, passive_is_stable
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
+from symhaptic.book.lemmas.stiffest_stable import on_box
 from symhaptic.book.lemmas.undelayed_curve import WEIGHT, between, plants
 from symhaptic.model import loop
-from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import CURVE
 from symhaptic.paper.propositions.stability import OTHER, PIECE, damped_region_ends_on_the_line
 
@@ -102,11 +100,7 @@ def _settled(page):
         "for $d=1$ if $\\gamma<2\\delta$",
         claim=claim,
     )
-    page.settle(
-        "left-bound-damped",
-        found,
-        example=(easy, there),
-    )
+    page.settle("left-bound-damped", found, example=(easy, there))
 
 
 def soft_spring(page):
@@ -155,8 +149,7 @@ def right_of_the_line(delay: Expr) -> Theorem:
     """A stable wall has alpha < alpha', on the line, for a damped device and an integer delay."""
     late = Relation(d, "=", delay)
     static, pushed = at_rest()
-    readings = loop_of_device(NUMBERS, (OTHER, beta, gamma, delta, delay))
-    loop = conjunct(readings, readings.conclusion.parts[1])
+    loop = by_zeros(OTHER, beta, gamma, delta, delay)
     zeros = loop.conclusion.parts[1].terms[0]
     left = show(-gamma - OTHER >= 0, -gamma >= OTHER)
     value = combined(zeros.subs(z, 1) <= 0, [pushed, left], [static, 1])
@@ -194,8 +187,7 @@ def near_the_line(delay: Expr) -> Theorem:
     margin = Given(*INSIDE).closed(subst(pattern, place, bare, equal), sine_of_half(theta))
     margins = for_all([theta], INSIDE, margin)
     counted = subst(whole(place), place, is_whole(delay), equal)
-    stable = closed(conjunct(passive_is_stable(), STABLE), margins, counted)
-    return _placed(stable, reach)
+    return _placed(closed(conjunct(passive_is_stable(), STABLE), margins, counted), reach)
 
 
 def _between(reach: Expr) -> tuple[Proposition, ...]:
@@ -246,11 +238,9 @@ SHORT = NEAR * x / (NEAR + 2 * x)
 def bound_of_arms() -> Theorem:
     """What the claim s4d-left-bound says, under its hypotheses."""
     place = sp.Symbol("q")
-    found = inst(figure9.right_of_the_line(), {alpha: place})
-    right = show(alpha < place, found, LINE)
+    right = show(alpha < place, inst(figure9.right_of_the_line(), {alpha: place}), LINE)
     right = inst(right, {place: OTHER})
-    stable = STABLE.at({alpha: OTHER})
-    right = for_all((OTHER, beta, d), [whole(d), stable], right)
+    right = for_all((OTHER, beta, d), [whole(d), STABLE.at({alpha: OTHER})], right)
     return conj(right, _reached())
 
 

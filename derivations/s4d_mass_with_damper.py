@@ -6,7 +6,6 @@ derive the largest stiffness in closed form, and a bound of the damping.
 
 from symhaptic.book.lemmas.damped_mass import signs
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.undelayed_tip import all_softer, none_stiffer
 
 E, N_1, N_0 = symbols("e n_1 n_0")

@@ -1,11 +1,10 @@
 """Does a larger delay always make the stable region smaller?
 
-A delay costs stiffness. But with a physical spring the boundary begins at a lower damping with
-every period of delay, so that some walls are stable only with a delay.
+A delay reduces the largest stable stiffness. But with a physical spring, each period of delay
+lowers the damping at which the boundary begins, so that some walls are stable only with a delay.
 """
 
 from symhaptic.book.lemmas.boundary import CORNER, begins, begins_there
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.paper.propositions.stability import LATER
@@ -33,8 +32,8 @@ def derive(page):
         d: S.Zero,
     }
     page.say(
-        "If the region reaches this point, it is its lower left corner, and a wall just above "
-        "the corner of $d=1$ lies below that of $d=0$. Inside the ranges (23), take "
+        "If the region reaches this point, the point is its lower left corner. A wall just above "
+        "the corner for $d=1$ lies below the corner for $d=0$. Inside the ranges (23), take "
         r"$\gamma=0.001$, $\delta=0.01$, $\alpha=-0.0009$, $\beta=-0.011$:"
     )
     page.lemma(
@@ -55,7 +54,9 @@ def derive(page):
         "After 21 periods $\\alpha=0.0001$, $\\beta=-0.022$ is not stable",
         unstable_at({**stiff, d: S(21)}),
     )
-    page.say("By area each period does make the region smaller (\\chapter{s4d_areas}).")
+    page.say(
+        "The area of the region does decrease with each period of delay (\\chapter{s4d_areas})."
+    )
 
     corners = every(NUMBERS, [DEVICE], both([begins(), begins(d + 1, CORNER - gamma)]))
     plant, arm = [gamma >= 0, delta > 0], (gamma, delta, d)

@@ -4,16 +4,14 @@ The paper concludes that each of them is stabilising. A single wall that is stab
 and unstable with it disproves this for all walls. Areas are compared in
 \chapter{s4d_areas_of_the_arm}. Below each wall stands its polynomial,
 $z^{d+1}(z^2-az+e)+(n_1z+n_0)((\alpha+\beta)z-\beta)$ with the numbers of the device, and the zero
-that certified balls isolate. Without delay it can be done by hand: of $z^3+a_2z^2+a_1z+a_0$ it is
-Jury's inequality $1-a_0^2>|a_1-a_0a_2|$ that decides.
+that certified balls isolate. Without delay a calculation by hand is enough: for
+$z^3+a_2z^2+a_1z+a_0$ Jury's inequality $1-a_0^2>|a_1-a_0a_2|$ decides.
 """
 
 from symhaptic.book.lemmas.passive_is_stable import EVERY_MARGIN, LOOP, MARGIN, passive_is_stable
-from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.book.lemmas.walls import divisors
-from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import MORE
 
 

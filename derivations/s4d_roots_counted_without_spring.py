@@ -111,5 +111,4 @@ def stronger_everywhere() -> Theorem:
         [4 * sixteenth, y > 0, left, n_1 > 0, n_0 > 0, far],
         [y > 0, left, e > 0],
     )
-    inner = for_all([y], [STRONG, y > 0, y < 4], found)
-    return for_all(WALL, GIVEN, inner)
+    return for_all(WALL, GIVEN, for_all([y], [STRONG, y > 0, y < 4], found))

@@ -21,7 +21,6 @@ from symhaptic.book.lemmas.scaling import (
     with_the_rate,
 )
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.paper.propositions.stability import HEAVY, SOON, STIFFER, STRONGER
 from symhaptic.proof.enclosed import value
 
@@ -109,10 +108,10 @@ BEFORE, AFTER = Rational(1, 50), Rational(1, 100)
 
 def _changed(page):
     page.say(
-        "The paper reads from Table I how the stable walls change with the period $T$ and the "
-        "mass $m$, for a constant delay factor $d$. What happens to the operator's $b$ and $k$ "
-        "meanwhile? If they change as well, the loop stays the same. If they are kept it does "
-        "not, and a damped mass without spring and delay, $\\gamma=0$ and $d=0$, shows by how "
+        "From Table I the paper infers how the stable walls change with the period $T$ and the "
+        "mass $m$, for a constant delay factor $d$. If the operator's $b$ and $k$ change in "
+        "proportion, the normalised loop stays the same. If they are constant, the "
+        "loop changes. A damped mass without spring and delay, $\\gamma=0$ and $d=0$, shows by how "
         "much."
     )
     all_scaled(page)

@@ -4,11 +4,10 @@ A physical damper only dissipates energy. The virtual damper uses the mean speed
 and its force is held for the next. We look for a bound that no stable wall can exceed.
 """
 
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
+from symhaptic.book.lemmas.passive_is_stable import LOOP
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.model import loop
-from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import AFTER, lost_by_damping
 
 ARM = {gamma: Rational(1, 1000), delta: Rational(1, 50), alpha: Rational(1, 20)}

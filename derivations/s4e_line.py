@@ -155,8 +155,4 @@ def _tangent(page):
         "for $\\gamma=\\delta=0$ only",
         claim=tangent(),
     )
-    page.settle(
-        "linear-tangent",
-        free_mass_only(),
-        example={gamma: S.One, delta: S.One, d: S.Zero},
-    )
+    page.settle("linear-tangent", free_mass_only(), example={gamma: S.One, delta: S.One, d: S.Zero})

@@ -4,7 +4,6 @@ Fig. 10 marks errors of 2 and 5 per cent. On the boundary we look for a range of
 which the larger of these levels is not exceeded, for every arm of (23).
 """
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, on_it
 from symhaptic.book.lemmas.linear_far import quotient
@@ -23,7 +22,7 @@ from symhaptic.book.lemmas.linear_rays import (
 )
 from symhaptic.book.lemmas.linear_two_percent import at_most
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
+from symhaptic.book.lemmas.stiffest_stable import on_box
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import HALF_WAY, RANGE, error, on_boundary_at, size
 
@@ -145,5 +144,4 @@ def small_error(delay: int) -> Theorem:
 @cache
 def small_errors() -> Theorem:
     """The claim: for all arms of (23) and both delays."""
-    both_ = conj(*map(small_error, LATE))
-    return as_claimed(CLAIMED["s6-linear-small-error"](()), both_)
+    return as_claimed(CLAIMED["s6-linear-small-error"](()), conj(*map(small_error, LATE)))

@@ -74,12 +74,7 @@ def derive(page):
         "Without damping the numerator is symmetric", shape[nu], HALF, name=r"\nu\big|_{\delta=0}"
     )
     page.define(r"The stiffness as a function of $\Omega=\sqrt\gamma$", gamma, Omega**2)
-    page.step(
-        r"Without damping $s_1=\gamma/2$",
-        shape[s_1],
-        gamma / 2,
-        name=r"s_1\big|_{\delta=0}",
-    )
+    page.step(r"Without damping $s_1=\gamma/2$", shape[s_1], gamma / 2, name=r"s_1\big|_{\delta=0}")
     page.step(
         "Without damping the initial error is negative",
         begins.subs({delta: 0, s_1: gamma / 2, nu: HALF}),

@@ -67,7 +67,7 @@ def minors() -> tuple[Theorem, ...]:
     loop = loop_substituted((alpha, beta, S.Zero, S.Zero, d), z, 1, stiffness=False, damping=False)
     stable, _ = loop.conclusion.parts
     found = first_minors(mp(loop, assume(stable)), 2)
-    found = closed(found, *(is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)))
+    found = closed(found, *LATER_WHOLE)
     return tuple(conjunct(found, claim) for claim in found.conclusion.parts)
 
 

@@ -28,8 +28,8 @@ def derive(page):
         + A * (UNEVEN / 2 + n_0 * small * (4 * n_0 + 3 * UNEVEN) / 2)
         - A**2 * n_0 * (4 * n_0 + 3 * UNEVEN) / 4,
         name=r"\Delta_2",
-        because="products of two small numbers; with one period of delay it is the same with "
-        "others",
+        because="these are products of two small numbers; with one period of delay other small "
+        "numbers take their place",
     )
     page.lemma(
         "$n_1$ exceeds $n_0$ by at most $\\frac16\\delta$", nearly_even(), because="bounds $w$"
@@ -41,9 +41,9 @@ def derive(page):
     )
     page.say(
         "Neither $w$ nor $G$ is negative. The minor rises with the surplus "
-        r"$\Delta=\beta+\delta-(d+\frac12)\alpha$ over the line, nearly by as much. So the "
-        "distance of the boundary from the line is of this order, too: with a factor of 3 on all "
-        "of (23), for $d=0$ and $d=1$."
+        r"$\Delta=\beta+\delta-(d+\frac12)\alpha$ over the line, at a rate close to 1. So the "
+        "distance of the boundary from the line is of the same order. A factor of 3 is sufficient "
+        "on all of (23), for $d=0$ and $d=1$."
     )
     second_order(page)
     order_of_period(page)

@@ -67,7 +67,7 @@ def _settled(page):
         r"The walls of the curve (27) for $\delta=0.02$ are on the boundary of the passive ones, "
         "and above its corner there are no others",
         passive_curve(dashed()),
-        because=r"up to $\hat\omega=\pi/(d+1)$ and with integer delays, as for Fig. 4",
+        because=r"up to $\hat\omega=\pi/(d+1)$ and for integer delays, as in Fig. 4",
     )
     page.lemma(
         "The walls of the other curve have a zero on the circle, and none of them is stable",
@@ -77,7 +77,7 @@ def _settled(page):
     page.lemma(
         "Walls that the boundaries enclose with a stable one are stable",
         enclosed_walls_are_stable(),
-        because="with integer delays, as for Fig. 9",
+        because="for integer delays, as in Fig. 9",
     )
     page.lemma(
         "A passive wall is stable with a damped device with a spring, for every delay",

@@ -1,7 +1,7 @@
 r"""Can one damping describe a device with an arm, for passivity and for stability?
 
 By (2) the damping of the loop is that of device and arm together. By (3) the damping that counts
-for passivity is that of the device alone. Figs. 11 to 13 and the ratio $\eta$ have one $\delta$ for
+for passivity is that of the device alone. Figs. 11 to 13 and the ratio $\eta$ use one $\delta$ for
 both.
 """
 
@@ -12,10 +12,10 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.rates import moved
 from symhaptic.book.lemmas.ratio_peak import least, passive_wall
 from symhaptic.book.lemmas.stiffest_passive import bound
-from symhaptic.book.lemmas.stiffest_stable import numbers_known, stable_wall
+from symhaptic.book.lemmas.stiffest_stable import stable_wall
 from symhaptic.book.lemmas.stiffness_claims import LATE, UNDELAYED, beside, from_bound, linear
 from symhaptic.book.lemmas.walls import damped, divisors, margins
-from symhaptic.paper.propositions.comparison import STABLE, passive
+from symhaptic.paper.propositions.comparison import passive
 from symhaptic.paper.propositions.one_delta import (
     ARM,
     DEVICE,
@@ -165,8 +165,7 @@ def right() -> Theorem:
     there, back = in_units()
     claim: Any = instead().parts[0]
     then = taken_apart(claim)[2]
-    found = either_way(back, there, *then.of)
-    return as_claimed(claim, found)
+    return as_claimed(claim, either_way(back, there, *then.of))
 
 
 @cache

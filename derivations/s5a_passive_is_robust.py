@@ -24,8 +24,7 @@ def _robust(page):
     push = over(alpha * delta / delta > 0, known, damper)
     push = closed(positive(alpha > 0, [push]), positive(Ne(delta, 0), [damper]))
     held = positive(alpha + gamma > 0, [push], gamma >= 0)
-    found = closed(passive_wall_is_stable(), held, damper)
-    springs = for_all([gamma], [gamma >= 0], found)
+    springs = for_all([gamma], [gamma >= 0], closed(passive_wall_is_stable(), held, damper))
     wall = {alpha: S.One, beta: S.Zero, delta: S.One, d: S.Zero}
     drift = wall | {alpha: S.Zero, beta: HALF}
 

@@ -12,12 +12,11 @@ from symhaptic.book.lemmas.connections import (
     stays_on_circle,
 )
 from symhaptic.book.lemmas.one_plane import held_passive_is_stable
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, no_crossing, passive_is_stable
+from symhaptic.book.lemmas.passive_is_stable import no_crossing, passive_is_stable
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.undelayed import passive_in_numbers
 from symhaptic.book.lemmas.walls import margins
-from symhaptic.paper.propositions.comparison import STABLE, passive
+from symhaptic.paper.propositions.comparison import passive
 
 
 def derive(page):

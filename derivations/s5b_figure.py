@@ -8,14 +8,12 @@ ones.
 import itertools
 
 from symhaptic.book.figures.stability import largest_stiffnesses
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.figure9 import each_value
 from symhaptic.book.lemmas.near_tip import Arm, none_above, rounded, tip, wall_below
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.outweighed import stable_behind_every_delay
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import at_arm, at_peak, least, of_delay
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.paper.propositions.ratio import (
     FALLEN,
     FINE,
@@ -149,8 +147,7 @@ def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:
     ranges = {s: (v, v) for s, v in here.items()}
 
     def on_curve(expr: Expr) -> Theorem:
-        found = inst(at_point(expr, ranges), here)
-        return numbers_known(found)
+        return numbers_known(inst(at_point(expr, ranges), here))
 
     size, half = SQUARE.xreplace({theta: angle}), cos(angle / 2)
     height = stiffness(S(delay)).xreplace({theta: angle})
@@ -172,8 +169,7 @@ def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:
         on_curve((1 + FINE) * height - limit * half * size),
         bottom,
     )
-    wanted = most.body.of[1]
-    parts.append(for_all(WALL, [most.body.of[0]], positive(wanted, [bounded], [more])))
+    parts.append(for_all(WALL, [most.body.of[0]], positive(most.body.of[1], [bounded], [more])))
     less = over(
         Relation(S.Zero, "<", wall[0] - (1 - FINE) * curve[tip_.over[1]]),
         on_curve(wall[0] * half * size - (1 - FINE) * height),
@@ -208,8 +204,7 @@ def drawn() -> Theorem:
         arm: Arm = (known[gamma], DAMPED)
         return rightmost(then.at(known), arm, int(known[symbols[1]]))
 
-    found = each_value(then, dict(zip(symbols, given, strict=True)), build)
-    shown = [as_claimed(tips, found)]
+    shown = [as_claimed(tips, each_value(then, dict(zip(symbols, given, strict=True)), build))]
     for spring, later in PEAKS.items():
         arm: Arm = (spring, DAMPED)
         delays = (*SHOWN, *later)

@@ -11,10 +11,9 @@ from symhaptic.book.lemmas.passive_is_stable import (
     margin_to_the_end,
     passive_is_stable,
 )
-from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.walls import damped, margins, met, unstable
-from symhaptic.paper.propositions.comparison import STABLE, passive
+from symhaptic.paper.propositions.comparison import passive
 from symhaptic.proof.theorems.definitions import loop_substituted
 
 
@@ -76,9 +75,9 @@ def derive(page):
             held: (drifting, *(stands(drifting), falls(drifting), met(drifting, [S.Half]))),
         },
         shows=r"$\beta=0.0252$ and 150 periods of delay: stable with $\alpha=0.0002$, not with 0",
-        note=r"a passive wall that does not pull has $\delta>0$; for integer delays; without delay "
-        "it need not be passive; inside (23) no such wall was found for delays up to 75 "
-        "periods",
+        note=r"a passive wall with $K\ge0$ requires $\delta>0$. Shown for integer delays; without "
+        "delay the wall need not be passive. Inside (23) no counterexample was found for delays "
+        "up to 75 periods",
     )
 
 

@@ -5,17 +5,10 @@ see \chapter{s5b_soft_contacts}. We ask for which arms this cannot happen withou
 """
 
 from symhaptic.book.lemmas.arm_numbers import pushed
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities, stable_at, unstable_at
-from symhaptic.book.lemmas.stiffest_stable import (
-    damping_between,
-    inequalities,
-    of_every_plant,
-    towards,
-)
+from symhaptic.book.lemmas.stiffest_stable import damping_between, inequalities, towards
 from symhaptic.model import jury
-from symhaptic.paper.propositions.comparison import STABLE
 
 RISE = n_1 + n_0
 IN_WIDE = r"0\le\gamma\le0.01,\ 0\le\delta\le0.1"
@@ -136,8 +129,7 @@ def turned_down() -> Theorem:
     loop = inst(by_inequalities(0), {alpha: x})
     goals = conjuncts(loop.conclusion.of[1])
     shown = [combined(goal, *known) for goal, known in zip(goals, rows, strict=True)]
-    found = closed(mp(loop, conj(*shown)), low, high)
-    return closed(of_every_plant(found), _slow())
+    return closed(of_every_plant(closed(mp(loop, conj(*shown)), low, high)), _slow())
 
 
 def _slow() -> Theorem:

@@ -1,7 +1,8 @@
 """How large is the stable stiffness without delay, compared with the passive one?
 
-Without delay the loop is a cubic, with an arm's spring too. Its largest stable stiffness has a
-closed form, and the paper's first ratio, 17.8 for $d=0$, is decided on the whole range (23).
+Without delay the characteristic polynomial is a cubic, also with the spring of an arm. Its largest
+stable stiffness has a closed form, and the paper's first ratio, 17.8 for $d=0$, is decided on the
+whole range (23).
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -76,11 +77,7 @@ def largest(page, minor, arm):
         "those below the closed form $\\alpha_{\\max}(0)$",
         claim=claim(),
     )
-    page.settle(
-        "stiffest-wall-undelayed",
-        closed_form(),
-        example={gamma: S.Zero, delta: S.Zero},
-    )
+    page.settle("stiffest-wall-undelayed", closed_form(), example={gamma: S.Zero, delta: S.Zero})
 
 
 def ratio(page):

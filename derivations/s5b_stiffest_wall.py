@@ -6,10 +6,8 @@ same argument every tangent of the upper boundary bounds the stable walls.
 """
 
 from symhaptic.book.lemmas.outpaced import ROOM, room
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.bounds import walls
-from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import BESIDE
 from symhaptic.paper.propositions.stability import SQUARE
 

@@ -1,8 +1,8 @@
 r"""Is the difference between passive and stable walls larger for smaller damping?
 
-The paper says that the passive region shrinks in proportion to $\delta$, and the stable one hardly.
-In terms of the largest stiffness the question is whether the ratio $\eta$ of the passive to the
-stable one grows with $\delta$.
+The paper says that the passive region shrinks in proportion to $\delta$, and that the stable one
+hardly changes. In terms of the largest stiffness the question is whether the ratio $\eta$ of the
+passive to the stable one grows with $\delta$.
 """
 
 from symhaptic.book.lemmas.near_tip import none_above

@@ -59,12 +59,7 @@ def _frequency(page, frequency):
     root = closed(by_its_square(SQUARE), positive(SQUARE >= 0, [square]), apart)
     same = closed(rewritten(root, swings()), apart)
     point = {m: S.One, b: S.Zero, k: S.One, omega: S.One}
-    page.settle(
-        "eq28",
-        same,
-        Eq(omega, frequency),
-        example=point,
-    )
+    page.settle("eq28", same, Eq(omega, frequency), example=point)
 
 
 def _four(mass):
@@ -93,12 +88,7 @@ def _in_units(page, turns):
         positive(gamma - delta**2 / 4 >= 0, given[3]),
     )
     point = {m: S.One, T: S.One, gamma: S.One, delta: S.Zero, omega: S.One}
-    page.settle(
-        "eq29",
-        both,
-        Eq(omega, turns / T),
-        example=point,
-    )
+    page.settle("eq29", both, Eq(omega, turns / T), example=point)
 
 
 def _up_to_nyquist(page, turns):

@@ -5,12 +5,10 @@ walls are stable then.
 """
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.model import loop
 from symhaptic.paper.propositions.comparison import (
     LATE,
     MIRROR,
-    NUMBERS,
     TURNED,
     WALLS,
     kept_at_minus_one,

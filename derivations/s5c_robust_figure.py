@@ -31,9 +31,10 @@ def derive(page):
         "damping that passivity requires at this angle",
     )
     page.say(
-        "To first order a wall is therefore robustly stable if, at every angle, passivity "
-        r"requires less than $\delta/(2n_1)=\delta\,(\tfrac\theta2)^2/\sin^2\tfrac\theta2$: up to "
-        r"$\pi^2/4$ times the damping of the device, most at high frequencies. (This does not "
+        "To first order a wall is therefore robustly stable if, at every angle, the damping that "
+        "passivity requires is less than "
+        r"$\delta/(2n_1)=\delta\,(\tfrac\theta2)^2/\sin^2\tfrac\theta2$. This bound grows with the "
+        r"frequency, up to $\pi^2/4$ times the damping of the device. (This does not "
         r"apply at $\theta=0$ and $\pi$, where two roots of the plant meet.) With long delays low "
         r"frequencies decide, and the two regions approach each other: for $\delta=0.02$ the "
         "robust one is 1.25, 1.19 and 1.08 times as large as the passive one for $d=0$, 1 and 2."
@@ -49,9 +50,9 @@ def derive(page):
         r"$e^{-j\varepsilon\Omega}$, as the paper reads it",
     )
     page.say(
-        "So to first order both readings have one robust region, although the stable regions for "
-        "stiff springs differ: the figure shows half a period once for a delayed force and once "
-        "for the paper's reading."
+        "So to first order both readings have the same robust region, although their stable "
+        "regions for stiff springs differ. The figure shows a delay of half a period twice: for a "
+        "delayed force and for the paper's reading."
     )
     page.figure(
         "fig13",

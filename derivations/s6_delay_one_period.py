@@ -1,6 +1,7 @@
 """Which share of the stiffness remains with one period of delay?
 
-The conclusion of the paper says less than 22 % for stability. We ask for which arms this holds.
+In its conclusion the paper says that less than 22 % of the stable stiffness remains. We ask for
+which arms this is true.
 """
 
 from symhaptic.book.lemmas import far_higher

@@ -1,7 +1,7 @@
 """What is the benefit of faster sampling and of more mass?
 
-The paper concludes that much faster sampling has little benefit if the delay dominates, and more
-mass has none. Here the delay $t_d=dT$ is constant while $T$ decreases.
+The paper concludes that much faster sampling has little benefit if the delay dominates, and that
+more mass has no benefit. Here the delay $t_d=dT$ is constant while $T$ decreases.
 """
 
 from symhaptic.book.lemmas.faster import SLOW, SOON, farthest, gained, much, not_slow, slow
@@ -59,8 +59,8 @@ def passive(page):
 def settled(page):
     """At one period of delay, and at ten."""
     page.say(
-        "For stable walls no such bound is shown for all delays. We read the paper's word "
-        "significant as a quarter. At ten periods of delay every rate up to ten times is "
+        "For stable walls no such bound is shown for all delays. By a significant gain we "
+        "understand a quarter. At ten periods of delay every rate up to ten times is "
         "checked, by a wall near the tip for the old rate and a bound near the tip for the new "
         "one, for a free mass and for the arm of Figs. 11 and 12:"
     )
@@ -188,5 +188,4 @@ def gains_little() -> Theorem:
     others = some.body.of[1]
     values = {x: stiffness, y: damping}
     bare = for_all([K, B], [others.at(values).body.of[0]], here.closed(room))
-    found = here.closed(exists(conj(best, bare), some, values))
-    return as_claimed(claim(), found)
+    return as_claimed(claim(), here.closed(exists(conj(best, bare), some, values)))

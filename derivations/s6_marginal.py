@@ -1,7 +1,7 @@
 """Do the damper and the spring of an arm hardly matter?
 
-The paper concludes this for both, inside the range (23). We compare the largest stable stiffness
-with and without them: numerically for delays up to seven periods, and for long delays.
+The paper concludes that neither matters much, inside the range (23). We compare the largest stable
+stiffness with and without them: numerically for delays up to seven periods, and for long delays.
 """
 
 from symhaptic.book.lemmas.marginal import AT_ONCE, LONG, by_a_factor, changes, none_pushes

@@ -20,7 +20,6 @@ from symhaptic.book.lemmas.scaling import (
     with_the_stiffness,
 )
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
-from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import HEAVY, STIFFER, STRONGER
 
 STILL = dict.fromkeys((b, k, d), S.Zero) | {T: S.One, m: S.One}

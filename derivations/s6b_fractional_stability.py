@@ -10,7 +10,6 @@ from symhaptic.book.lemmas.late_loop import (
     numbers_of_a_late_device,
     polynomial_of_a_late_loop,
 )
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import loop
 

@@ -1,14 +1,11 @@
 r"""When is a wall with a fractional delay passive?
 
 With a delay of $\ell+\varepsilon$ periods the force changes inside a period, so that the motion
-within the period matters. Which inequality excludes that energy is extracted, and what is its limit
-for integer delays?
+within the period matters. Which inequality ensures that no motion extracts energy, and what is its
+limit for integer delays?
 """
 
-from symhaptic.book.lemmas.late_passivity import (
-    condition_at_every_angle,
-    passive_at_every_angle,
-)
+from symhaptic.book.lemmas.late_passivity import condition_at_every_angle, passive_at_every_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import wall
 from symhaptic.notation import function, q_k
@@ -34,7 +31,7 @@ def derive(page):
     page.say(
         "The position at the beginning is $p/(z-1)$, so the sample is "
         "$(1/(z-1)+1-\\varepsilon)p+q$, and the force that belongs to it comes $\\ell+1$ periods "
-        "later. Per period and at one angle the energy left to damper and wall is "
+        "later. Per period and at one angle the energy that damper and wall absorb is "
         "$\\tfrac bT(|p|^2+|q|^2/(\\varepsilon(1-\\varepsilon)))"
         "+\\Re\\{G\\,(\\ldots p+q)\\,\\bar p\\}$ with $G=z^{-\\ell-1}H$."
     )

@@ -1,7 +1,7 @@
 """Is a passive wall with a fractional delay stable?
 
-For integer delays it is, because the motion of a root on the unit circle would extract energy. We
-consider the same motion with a force that changes inside the period.
+For integer delays it is stable, because the motion that belongs to a root on the unit circle would
+extract energy. We consider the same motion with a force that changes within the period.
 """
 
 from symhaptic.book.lemmas.half_late_passive import DAMPER, passive_with
@@ -49,7 +49,7 @@ def derive(page):
         "both parts",
     )
     page.say(
-        "So the energy left to damper and wall, the form in $p$ and $q$ of "
+        "So the energy that damper and wall absorb, the form in $p$ and $q$ of "
         r"\chapter{s6d_fractional_passivity}, is negative for this motion: equality would require "
         "a constant speed at all times, that is $z=1$. (For $p=q=0$ the device is at rest.) But "
         "for a passive wall the form is nowhere negative, and the condition is concave in the "
@@ -86,8 +86,4 @@ def derive(page):
     )
     point = {alpha: S.Zero, beta: DAMPER, gamma: S.One, delta: S.One, l: S.Zero, epsilon: S.Half}
     damped = inst(passive_with(S.Zero, DAMPER), {b: S.One, T: S.One})
-    page.settle(
-        "fractional-passive-is-stable",
-        found,
-        example=(point, closed(damped, one())),
-    )
+    page.settle("fractional-passive-is-stable", found, example=(point, closed(damped, one())))

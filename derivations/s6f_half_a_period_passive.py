@@ -64,12 +64,12 @@ def derive(page):
     one, two = S.One, Rational(2)
     zeros = ((B, root(end, one, two)), (K, root(tip, one, two)))
     page.enclosed(
-        "Both zeros are enclosed", zeros, places=12, because="of the second we ask if it is a bound"
+        "Both zeros are enclosed", zeros, places=12, because="the second one is examined as a bound"
     )
     found = page.lemma(
         "No passive wall is stiffer than $1.175870\\,b/T$",
         stiffest_half_late(),
-        because="of the first wall $f_2=4B>0$ and $f_1^2-4f_0f_2<0$ by the formula of the third "
+        because="for the first wall $f_2=4B>0$ and $f_1^2-4f_0f_2<0$ by the formula of the third "
         "step, so that $f$ is a sum of squares. Of a wall with $K\\ge1.17587$ it is negative at "
         "$\\tan\\frac\\theta2=0.5283$, $y=0.781799$: for the best $B$ it is "
         "$1-Ky-\\frac1{16}K^2+(4y^2-3y-\\frac14K(1-y))^2/(1-y)$, which falls with $K$ and is "

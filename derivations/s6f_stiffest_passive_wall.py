@@ -6,7 +6,7 @@ stiffer than the stiffest wall of this circle.
 """
 
 from symhaptic.book.lemmas.late_passivity import EVERY_MARGIN, GIVEN, LATE, WALL, passive_late
-from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
+from symhaptic.book.lemmas.passivity import at_every_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.forms import stiffest_passive
 from symhaptic.forms.entire import written_out
@@ -60,8 +60,8 @@ def derive(page):
     page.settle("fractional-stiffness-bound", allowed, found, example=point)
     page.say(
         "The smallest bound is at the angle at which its derivative vanishes. The wall there has "
-        "the stiffness of the bound. That it satisfies the condition at all other angles was "
-        "tested numerically, and is not proved."
+        "the stiffness of the bound. A numerical test, but no proof, shows that it satisfies the "
+        "condition at all other angles."
     )
     page.step(
         "The slope of the bound has the sign of a sum",

@@ -8,7 +8,7 @@ every wall.
 from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.late_damping import END, HERE, LOW, PAIR, all_between, begins, ends
 from symhaptic.book.lemmas.late_passivity import GIVEN, MARGIN, passive_late
-from symhaptic.book.lemmas.passivity import INSIDE, every_margin, passive_by_angle
+from symhaptic.book.lemmas.passivity import every_margin, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation import chi
 from symhaptic.proof.theorems.familiar import polar

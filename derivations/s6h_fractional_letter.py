@@ -6,7 +6,6 @@ the figures.
 """
 
 from symhaptic.book.lemmas.chords import PI
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.walls import met
@@ -57,8 +56,7 @@ def settle_literal(page):
         claim=only_within_the_spring(),
     )
     idle = {alpha: HALF / 5, beta: HALF / 5, gamma: S.One, delta: S.One, p: S.Zero, q: S.Zero}
-    there = idle | {d: HALF}
-    page.settle("fractional-literal", found, example=(idle, stable_at(there)))
+    page.settle("fractional-literal", found, example=(idle, stable_at(idle | {d: HALF})))
 
 
 def settle_figures(page):
@@ -66,8 +64,8 @@ def settle_figures(page):
         r"In Fig. 11 $\gamma=0.001$, $\delta=0.02$, and the text says that the passive regions "
         r"lie inside the stable ones. By (11) they extend to $\alpha=0.023$ for $d=\frac12$, 23 "
         r"times as far as the stable walls of this reading, and farther for $d=\frac14$. Sec. V-C "
-        r"is about walls that are stable for all $\gamma\ge0$; in this reading there is none at "
-        r"$\gamma=0$."
+        r"deals with walls that are stable for all $\gamma\ge0$, but in this reading no wall is "
+        r"stable at $\gamma=0$."
     )
     page.state(
         "fractional-figures",

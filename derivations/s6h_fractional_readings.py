@@ -45,7 +45,8 @@ def derive(page):
         letter.subs(zeta, I),
         -I,
         name=r"p_1(\zeta)\big|_{\zeta=j}",
-        because="never zero, so that this border is missing. The same is true for every device and "
+        because="this is never zero, so the region has no such border. The same is true for every "
+        "device and "
         r"fractional $d$, as the imaginary part is $\pm(1+a+e)\sin\pi d$",
     )
     found = page.lemma(

@@ -1,7 +1,7 @@
 """Which names and numbers in the text are wrong?
 
-Some errors of the text change no formula: a wrong section, panel or name. The paper's sections,
-tables, captions and references show what is meant.
+Some errors in the text do not affect a formula, such as a wrong section, panel or name. The paper's
+sections, tables, captions and references show what is meant.
 """
 
 
@@ -18,8 +18,8 @@ def derive(page):
         "Section IV is Stability, Section VI the Conclusion",
     )
     page.say(
-        "The first panel of Fig. 12 has the two stiffnesses by its caption, the other two have "
-        "their ratio. The captions of these two are the same, word for word."
+        "According to the captions, the first panel of Fig. 12 shows the two stiffnesses, and the "
+        "other two panels show their ratio. The captions of these two are identical."
     )
     page.settle_slip(
         "s5b-ratio-panels",
@@ -44,7 +44,7 @@ def derive(page):
         r"\text{virtual damping}\ B",
         "Table I, and the unit of the bound",
     )
-    page.say("By the list of references, [3] is by Hannaford and Ryu.")
+    page.say("According to the list of references, [3] is by Hannaford and Ryu.")
     page.settle_slip(
         "s1-et-al",
         "Hannaford, et al. [3]",

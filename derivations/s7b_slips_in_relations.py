@@ -1,7 +1,7 @@
 r"""Which number lies in the interval of Sec. V-C?
 
-The text bounds $\gamma$ by an interval of numbers. By (30) the bound is
-$\pi^2+\frac14\delta^2$, and it is this number that lies in the interval.
+The text bounds $\gamma$ by an interval. By (30) the bound is the number $\pi^2+\frac14\delta^2$,
+and this number lies in the interval.
 """
 
 from symhaptic.book.lemmas.prelude import *

@@ -20,7 +20,7 @@ def derive(page):
         boxed=True,
     )
     page.say(
-        r"One period of delay leaves 41\,\% of this stiffness to a passive wall. With $m=T=1$, "
+        r"With one period of delay the passive limit is 41\,\% of this stiffness. With $m=T=1$, "
         r"$b=\frac12$ and one period of delay the wall $K=1$ is not even stable."
     )
     still = {B: S.Zero, k: S.Zero, T: S.One, m: S.One, K: S.One, b: S.Half}

@@ -1,7 +1,8 @@
 """Is a wall stable whose stiffness is below the damping over the delay?
 
 This is the linear condition, the simplest rule for a loop with a delay; the hold adds half a period
-to $t_d$. It counts virtual damping like that of the device. Up to which virtual damping is it safe?
+to $t_d$. It treats virtual damping like the damping of the device. Up to which virtual damping is
+it safe?
 """
 
 from symhaptic.book.lemmas.circulation import damping_over_delay, outside

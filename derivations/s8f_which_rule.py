@@ -1,7 +1,7 @@
 """Which rule should one use, and when?
 
-This table lists the rules of this part and the exact limits of this book, by the parameters that
-they require. All are for $K>0$, and every one is safe in the stated range.
+The table lists the rules of this part and the exact limits, ordered by the parameters that they
+require. All are for $K>0$, and each is safe in the stated range.
 """
 
 from symhaptic.book.lemmas.prelude import *

@@ -69,7 +69,8 @@ def derive(page):
         page.same(title, computed()[place].xreplace(GIVEN), derived.xreplace(GIVEN))
         page.step(title, derived, factor * upright(own(gamma, delta)), name=left)
     page.say(
-        r"The functions are accurate, and these formulas are not. For $\gamma$ and $\delta$ near "
+        r"These functions are accurate, but the formulas above are not. For $\gamma$ and $\delta$ "
+        r"near "
         "$10^{-6}$ the numerator of PlantN1 is a difference of numbers near 1 of the size "
         r"$\gamma/2$, so that nine or ten of sixteen digits remain; the power series begins with "
         r"$\frac12$ and loses none. In the same way $1-a+e$ is not computed as a sum of numbers "

@@ -41,7 +41,7 @@ def derive(page):
         bottom * bottom.xreplace({I: -I}),
         c**4 * ((1 - a + e - (1 + a + e) * tangent**2) ** 2 + 4 * tangent**2 * (1 - e) ** 2),
         name="|A|^2",
-        because="and $|M|^2$ is as positive a number of $M_1$, $M_2$ and $m_2-m_0$",
+        because="and $|M|^2$ is a positive expression in $M_1$, $M_2$ and $m_2-m_0$",
     )
     settle(
         page,

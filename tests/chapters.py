@@ -3,7 +3,6 @@
 from functools import cache
 
 from symhaptic.book.chapters import folder, run
-from symhaptic.book.page import Page
 
 
 @cache
@@ -19,17 +18,3 @@ def run_altered(name, old, new, place):
     path = place / f"{name}.py"
     path.write_text(text.replace(old, new), encoding="utf-8")
     return run(path)
-
-
-def equalities(name, monkeypatch):
-    """Title and both sides of every equality that a derivation proves on its way."""
-    found = []
-    proved = Page._proved
-
-    def recorded(page, title, left, right):
-        found.append((title, left, right))
-        return proved(page, title, left, right)
-
-    monkeypatch.setattr(Page, "_proved", recorded)
-    run(folder() / f"{name}.py")
-    return found

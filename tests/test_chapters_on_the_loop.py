@@ -21,36 +21,6 @@ def held(gamma, delta, period=1.0, mass=1.0):
     return force[0, 0], n0, np.trace(phi), np.linalg.det(phi)
 
 
-def largest_root(alpha, beta, gamma, delta, delay):
-    n1, n0, a, e = held(gamma, delta)
-    loop = np.zeros(delay + 4)
-    loop[:3] = 1, -a, e
-    loop[-3:] += np.convolve([n1, n0], [alpha + beta, -beta])
-    return np.abs(np.roots(loop)).max()
-
-
-SOFT = (2 * math.pi / 3) ** 2
-
-
-def test_delayed_region_does_not_reach_the_line_on_the_left():
-    # s4d: d = 1, delta = 0, sqrt(gamma) = 2 pi/3; no damping is stable near alpha = -gamma
-    for right in (1e-3, 1e-2, 1e-1):
-        for beta in np.linspace(-20, 20, 401):
-            assert largest_root(-SOFT + right, beta, SOFT, 0.0, 1) > 1 + 1e-3
-
-
-def test_delayed_cubic_has_an_outer_root_for_every_coefficient():
-    for x in np.linspace(-50, 50, 2001):
-        assert np.abs(np.roots([1, 2, x + 1.5, x])).max() > 1
-
-
-@pytest.mark.parametrize(("gamma", "delta"), [(0.001, 0.02), (0.5, 0.0), (2.0, 0.3), (SOFT, 0.0)])
-def test_undelayed_region_reaches_the_line_on_the_left(gamma, delta):
-    # the root at 1 moves inside by about (n1 + n0) 1e-3 over the distance to the others
-    assert largest_root(-gamma + 1e-3 * gamma, 0.0, gamma, delta, 0) < 1
-    assert largest_root(-gamma - 1e-3 * gamma, 0.0, gamma, delta, 0) > 1
-
-
 def abbreviations(gamma, delta):
     """c_1, c_2, c_3 of (15)."""
     c1 = cmath.sqrt(delta**2 - 4 * gamma)
@@ -132,10 +102,3 @@ def test_printed_polynomial_vanishes_for_an_ungrabbed_device():
     # cancels to rounding of numbers of order 1
     assert abs(printed_value("eq18", values)) < 1e-15
     assert abs(printed_value("eq17", values)) < 1e-15
-
-
-def test_half_a_period_late_the_free_mass_has_moved_an_eighth():
-    # s2c: the force acts for half a period; x = F t^2/(2m)
-    law, push = np.array([[0.0, 1.0], [0.0, 0.0]]), np.array([[0.0], [1.0]])
-    _, moved, *_ = cont2discrete((law, push, np.eye(2), np.zeros((2, 1))), 0.5, method="zoh")
-    assert moved[0, 0] == pytest.approx(1 / 8, rel=1e-14, abs=0)  # rounding

@@ -101,8 +101,8 @@ def test_nan_of_the_print_explains_no_other_numbers(mine):
         ("eq11", "single", "single precision"),
         ("eq11", "given", "results are given in the order B, K"),
         ("eq11", "ordered", "arguments are taken in another order; --arguments d,T,b"),
-        ("eq12", "misprint", "this is (12) as printed; see the erratum of eq12"),
-        ("eq14", "printed", "0/0 where (14) as printed is 0/0"),
+        ("eq12", "misprint", "this is (12) as published; see the erratum of eq12"),
+        ("eq14", "printed", "0/0 where (14) as published is 0/0"),
         ("is_stable", "four", "four masses over the squared period is stable; see rules:four-mas"),
         ("scene.max_stable_stiffness", "stiff", "see rules:four-masses"),
         ("eq11", "later", "this is (11) with d + 1 for d"),
@@ -568,3 +568,16 @@ def test_what_is_wrong_with_a_function_or_a_range_names_the_option(tmp_path):
     run = symhaptic(*words, "max_stable_stiffness", *hard, cwd=tmp_path)
     said = "symhaptic: error: --over: max_stable_stiffness has no exact value at any of 9 points\n"
     assert (run.returncode, run.stderr) == (2, said)
+
+
+def test_nan_is_told_of_what_differs_and_of_nothing_else():
+    """NaN at the two points of no delay: the exact value is a number there."""
+
+    def mine(beta, delta, d):
+        return math.nan if d == 0 else (beta + delta) / (d + 0.5)
+
+    for call, told in ((mine, True), (lambda *at: (at[0] + at[1]) / (at[2] + 0.5), False)):
+        found = compared(CHECKED["linear_limit"], callers.called(call), 8, 200)
+        said = report.text(report.Report(found, "mine", 0.0))
+        assert (" points, such as " in said) is told
+        assert found.agrees is not told

@@ -430,7 +430,7 @@ MUTANTS = {
 
 
 SEARCHES = "delay_margin", "max_delay"
-FEW = 1000
+FEW = 100
 """Points of a first run: what it refuses, the default run of ten times as many refuses, too."""
 ENOUGH = 25
 """Wrong results among those that are compared, after which the others count as right."""
@@ -603,3 +603,13 @@ def test_what_is_not_covered_is_told():
     )
     found = compared(CHECKED["is_stable"], on_arrays(sh.is_stable), count=300, over={"d": (0, 0)})
     assert {"integer delays", "fractional delays"} <= set(covered(found)["missing"])
+
+
+@pytest.mark.parametrize(("turns", "delta"), [(1, 2.0), (3, 5.0), (0, 2.0)])
+def test_swings_of_whole_half_turns_are_counted_as_such(turns, delta):
+    """omega_d T = sqrt(gamma - delta^2/4) is a multiple of pi; none at all is no swing."""
+    gamma = (turns * PI) ** 2 + delta**2 / 4
+    ends = {"gamma": (gamma, gamma), "delta": (delta, delta)}
+    found = compared(CHECKED["discretize"], on_arrays(sh.discretize), count=20, over=ends)
+    kinds = covered(found)["kinds"]
+    assert kinds.get("omega_d T next to a multiple of pi", 0) == (found.called if turns else 0)

@@ -370,8 +370,9 @@ def test_one_chapter_alone(tmp_path):
     name = "s3a_undelayed"
     run = symhaptic("report", "--chapter", name, "-o", tmp_path)
     assert run.returncode == 0, run.stderr
+    assert run.stdout == f"wrote {tmp_path / name}.tex\n"
     names = {path.name for path in tmp_path.iterdir()}
-    assert names == {"book.tex", f"{name}.tex", "symhaptic.sty"}
+    assert names == {"book.tex", f"{name}.tex", "symhaptic.sty", "symhaptic.bib"}
     written = (tmp_path / f"{name}.tex").read_text(encoding="utf-8")
     assert written.endswith(chapter_tex(chapters.chapter(name), numbers()[name]))  # as in the book
     check = ("report", "--chapter", name, "--check", "-o", tmp_path)
@@ -384,8 +385,9 @@ def test_a_chapter_of_ones_own_alone_and_standing_alone(tmp_path):
     path = chapter(tmp_path, GOOD)
     run = symhaptic("report", "--chapter", "my", "--derivation", path, "--standalone", cwd=tmp_path)
     assert run.returncode == 0, run.stderr
+    assert run.stdout == "wrote reports/chapters.tex\n"
     names = {path.name for path in (tmp_path / "reports").iterdir()}
-    assert names == {"my.tex", "chapters.tex", "symhaptic.sty"}
+    assert names == {"my.tex", "chapters.tex", "symhaptic.sty", "symhaptic.bib"}
 
 
 def test_help_and_version():

@@ -1,22 +1,19 @@
-"""Fractional delay: the delayed device by SciPy's matrix exponential, roots by NumPy, and mutants.
+"""Fractional delay: the delayed device by SciPy's matrix exponential, roots by NumPy.
 
 Nothing here uses the modified z-transform: the loop is simulated as a state equation in which the
 force changes inside the period, and its eigenvalues are the characteristic roots.
 """
 
 from fractions import Fraction
-from importlib import import_module
 
 import numpy as np
 import pytest
 import sympy as sp
 from scipy.linalg import expm
 
-from symhaptic.book.chapters import BadChapter, folder, run
 from symhaptic.book.report.breaking import pieces
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import FULL
-from symhaptic.numeric.passivity import passivity_margin
 
 RNG = np.random.default_rng(37)
 GAMMA, DELTA, PART = sp.symbols("gamma delta epsilon")
@@ -87,131 +84,6 @@ def test_each_point_of_the_explicit_boundary_has_a_root_on_the_circle(gamma, del
         roots = np.linalg.eigvals(loop(alpha, beta, gamma, delta, whole, part))
         # a simple root of a matrix with entries up to some 100
         assert np.abs(roots - z).min() < 1e-9
-
-
-def largest(*arguments):
-    return np.abs(np.linalg.eigvals(loop(*arguments))).max()
-
-
-def substituted(alpha, beta, gamma, delta, r, q):
-    """Roots of the paper's polynomial in zeta = z^(1/q) for d = r/q."""
-    phi, push = motion(gamma, delta, 1.0)
-    top = [push[0], phi[0, 1] * push[1] - phi[1, 1] * push[0]]
-    p = np.zeros(3 * q + r + 1)
-    for i, value in enumerate([1, -np.trace(phi), np.linalg.det(phi)]):
-        p[-1 - (q * (3 - i) + r)] += value
-    for i, value in enumerate(np.convolve(top, [alpha + beta, -beta])):
-        p[-1 - q * (2 - i)] += value
-    return np.roots(p)
-
-
-def principal(*arguments):
-    roots = substituted(*arguments)
-    return np.abs(roots[np.abs(np.angle(roots)) < np.pi / arguments[-1]]).max()
-
-
-@pytest.mark.parametrize("q", [2, 4])
-def test_to_the_letter_only_walls_below_the_spring_are_stable(q):
-    """fractional-literal: |alpha| < gamma, and for a creeping device without beta no less."""
-    gamma, delta = 1.0, 3.0
-    for r in range(1, 2 * q, 2):
-        for _ in range(300):
-            alpha, beta = RNG.uniform(-2, 2, size=2)
-            if np.abs(substituted(alpha, beta, gamma, delta, r, q)).max() < 1:
-                assert abs(alpha) < gamma
-        for alpha in (0.99, -0.99):
-            assert np.abs(substituted(alpha, 0, gamma, delta, r, q)).max() < 1
-
-
-def test_walls_on_which_the_readings_differ():
-    """s6c: (1/15, 16/15) for the free mass; s6h: (-3/4, -1/2) and (3/8, -5/8) times 4 pi^2/9."""
-    assert largest(1 / 15, 16 / 15, 0, 0, 0, 0.5) > 1.001
-    assert principal(1 / 15, 16 / 15, 0, 0, 1, 2) < 0.9995
-    spring = 4 * np.pi**2 / 9
-    for x, y, stable in ((-0.75, -0.5, False), (0.375, -0.625, True)):
-        assert (largest(x * spring, y * spring, spring, 0, 0, 0.5) < 1) == stable
-        assert (principal(x * spring, y * spring, spring, 0, 1, 2) < 1) != stable
-
-
-def test_half_a_period_late_the_free_mass_is_stable_where_the_paper_says_so_or_less():
-    """fractional-half-mass, on 4000 random walls for d = 1/2 and 3/2."""
-    for whole in (0, 1):
-        found = 0
-        for _ in range(2000):
-            alpha, beta = RNG.uniform(0, 0.6), RNG.uniform(0, 1.3)
-            if largest(alpha, beta, 0, 0, whole, 0.5) < 1:
-                found += 1
-                assert principal(alpha, beta, 0, 0, 2 * whole + 1, 2) < 1
-        assert found > 20
-    # on the ray of the paper's boundary at theta, the true one lies at 2 c/(1 + c^2)
-    theta = 0.7
-    c = np.cos(theta / 2)
-    half = np.tan(theta / 2)
-    wall = np.array([4 * half**2 * np.cos(1.5 * theta), 2 * half * np.sin(theta) / c])
-    share = 2 * c / (1 + c**2)
-    assert largest(*(0.999 * share * wall), 0, 0, 0, 0.5) < 1
-    assert largest(*(1.001 * share * wall), 0, 0, 0, 0.5) > 1
-
-
-def test_passive_walls_are_stable_for_every_spring():
-    """fractional-passive-is-stable, on walls that need at most 0.97 of the damping."""
-    found = 0
-    for _ in range(400):
-        delta, delay = RNG.uniform(0.05, 2), RNG.uniform(0, 3)
-        alpha, beta = RNG.uniform(0, 2) * delta, RNG.uniform(-1, 1.4) * delta
-        if passivity_margin(alpha, beta, delta, delay) < 0.03 * delta:
-            continue
-        found += 1
-        whole = int(delay)
-        for gamma in (1e-3, RNG.uniform(0, 12)):
-            assert largest(alpha, beta, gamma, delta, whole, delay - whole) < 1
-    assert found > 50
-
-
-# -- mutants -------------------------------------------------------------------------------
-
-
-def changed(name, change):
-    """A function of the model with its value changed."""
-    original = getattr(fractional, name)
-    return name, lambda *a, **k: change(original(*a, **k))
-
-
-def late_with(**change):
-    def other(value):
-        return fractional.Late(
-            **{**{n: getattr(value, n) for n in ("m2", "m1", "m0", "device")}}
-            | {n: f(value) for n, f in change.items()}
-        )
-
-    return changed("late", other)
-
-
-MUTANTS = [
-    ("s6a_fractional_plant", late_with(m0=lambda v: -v.m0)),
-    ("s6a_fractional_plant", late_with(m2=lambda v: v.m0, m0=lambda v: v.m2)),
-    ("s6a_fractional_plant", late_with(m1=lambda v: v.m1 / 2)),
-    ("s6b_fractional_stability", late_with(m1=lambda v: v.m1 + v.m0)),
-    ("s6b_fractional_stability", changed("characteristic", lambda p: p * sp.Symbol("z"))),
-    ("s6c_half_a_period", late_with(m2=lambda v: v.m0)),
-    ("s6d_fractional_passivity", changed("stiffness_squared", lambda s: s + sp.Symbol("K"))),
-    ("s6d_fractional_passivity", changed("energy_form", lambda m: m.applyfunc(lambda x: 2 * x))),
-    ("s6d_fractional_passivity", changed("margin", lambda m: m.subs(PART, PART / 2))),
-    ("s6e_fractional_region", changed("margin", lambda m: m.subs(sp.Symbol("l"), 0))),
-    ("s6e_fractional_passive_is_stable", late_with(m0=lambda v: 2 * v.m0)),
-    ("s6f_half_a_period_passive", changed("margin", lambda m: m - sp.Symbol("B") ** 2 / 16)),
-    ("s6f_stiffest_passive_wall", changed("margin", lambda m: m.subs(PART, PART / 2))),
-    ("s6g_next_whole_delay", changed("margin", lambda m: m.subs(PART, 1 - PART))),
-    ("s6h_fractional_readings", changed("characteristic", lambda p: p + 1)),
-]
-
-
-@pytest.mark.parametrize(("chapter", "mutant"), MUTANTS)
-def test_a_chapter_on_a_changed_model_fails(chapter, mutant, monkeypatch):
-    import_module("symhaptic.book.lemmas.late_passivity")  # made of the model, once: of this one
-    monkeypatch.setattr(fractional, *mutant)
-    with pytest.raises(BadChapter, match=r"step|false|undecided|is not"):
-        run(folder() / f"{chapter}.py")
 
 
 # -- what the chapters lean on -------------------------------------------------------------

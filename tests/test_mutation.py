@@ -54,6 +54,7 @@ def test_a_judge_that_accepts_everything_is_caught(monkeypatch, name):
     assert trials.trial(chapter(name)).accepted
 
 
+@pytest.mark.ci  # 4 s
 def test_a_judge_that_accepts_all_data_from_outside_is_caught(monkeypatch):
     assert accepted("s4c_arm_limits", "eq22") == set()
     monkeypatch.setattr(Decided, "holds", lambda self: True)

@@ -17,8 +17,8 @@ def counted():
     text = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
     shapes = {
         "statements": r"Of the paper's (\w+) statements",
-        "theorems": r"statements (\w+) rest on a theorem",
-        "rocq": r"has checked (\w+) of them from end to end",
+        "theorems": r"statements, (\w+) rest on a theorem",
+        "rocq": r"has checked (\w+) of the statements from end to end",
         "others": r"(\w+) statements are definitions or rest on data outside",
         "slips": r"(\w+) are slips of the text",
         "undecided": r"(\w+) are undecided",

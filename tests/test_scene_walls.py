@@ -117,5 +117,7 @@ def test_labels_and_units_go_with_a_wall():
     unit = pint.UnitRegistry()
     same = late(0).passivity_margin(1 * unit("N/mm"), 5 * unit("N*s/m"))
     assert same.m_as("N*s/m") == late(0).passivity_margin(1000.0, 5.0)
-    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; give what converts to N/m$"):
+    with pytest.raises(
+        ValueError, match=r"^K: .+ is not allowed; give a quantity that converts to N/m$"
+    ):
         late(0).is_stable(1 * unit.N, 1.0)

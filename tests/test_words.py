@@ -29,7 +29,20 @@ WORDS = {
 """What is found, and what to say instead."""
 
 GUIDES = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/*.md")
-PROGRAMS = ("docs/gallery/*.py", "derivations/s[2-9]*.py", "src/symhaptic/book/parts.py")
+PROGRAMS = (
+    *("docs/gallery/*.py", "derivations/s*.py"),
+    *(
+        f"src/symhaptic/{room}/*.py"
+        for room in ("check", "cli", "export", "scene", "loops", "sweeps")
+    ),
+    *("src/symhaptic/book/parts.py", "src/symhaptic/book/consequences.py"),
+    *("src/symhaptic/book/report/*.py", "src/symhaptic/notation/predicates.py"),
+)
+TITLES = (
+    "only if it does not pull and the damper burns enough at each angle",
+    "Behind a whole delay a spring is passive",
+)
+"""Titles that stand in the record of Rocq, until it is renewed."""
 
 
 def prose():
@@ -42,7 +55,8 @@ def prose():
         for path in sorted(ROOT.glob(pattern)):
             nodes = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
             parts = (n.value for n in nodes if isinstance(n, ast.Constant))
-            yield path, "\n".join(part for part in parts if isinstance(part, str))
+            text = "\n".join(part for part in parts if isinstance(part, str))
+            yield path, re.sub("|".join(map(re.escape, TITLES)), "", text)
 
 
 @pytest.mark.skipif(not (ROOT / "derivations").is_dir(), reason="no repository around the tests")

@@ -229,6 +229,7 @@ THESIS = r"""\documentclass[12pt,a4paper]{report}
 """
 
 
+@pytest.mark.ci  # typeset by LaTeX
 def test_a_chapter_goes_into_a_thesis(tmp_path):
     """Whatever the thesis calls its own commands, and with margins of its own."""
     if not place.has_tex():
@@ -245,3 +246,8 @@ def test_a_chapter_goes_into_a_thesis(tmp_path):
     ).stdout  # fmt: skip
     for words in ("1.1 What is the largest stiffness", "(13.3)", "paper (11)", "theirs!"):
         assert words in re.sub(" +", " ", text)
+    text = re.sub(r"\s+", " ", text)
+    assert "the derivation “When is a delayed virtual wall passive?”" in text
+    assert not re.search(r"chapter \d|\.py\b", text)  # what a thesis does not have
+    cited = (tmp_path / "symhaptic.bib").read_text(encoding="utf-8")
+    assert re.findall(r"^@\w+\{(\w+)", cited, re.MULTILINE) == ["symhaptic", "Hulin2014"]

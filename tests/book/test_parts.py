@@ -7,7 +7,7 @@ from chapters import chapter
 
 from symhaptic.book.chapters import shipped
 from symhaptic.book.parts import OWN, PARTS, in_parts, part_of
-from symhaptic.book.report.printed import BAD, chapter_tex
+from symhaptic.book.report.printed import BAD, chapter_tex, text_files
 from symhaptic.book.rests import rests, said, shown_in
 from symhaptic.book.rules import called, classical, others, says
 from symhaptic.proof.theorems.axioms import AXIOMS
@@ -84,3 +84,12 @@ def test_in_long_grounds_elementary_facts_are_counted():
 )
 def test_a_link_that_leads_nowhere_is_an_error_like_a_line_too_long(line):
     assert re.findall(BAD, f"a\n{line}\nb", re.MULTILINE) == [line]
+
+
+def test_the_book_has_each_chapter_once_in_its_part():
+    names = ["s2a_device", "s3b_rise", "s4a_discretisation"]
+    book = text_files([chapter(name) for name in names])["book.tex"]
+    for name in names:
+        assert book.count(f"\\input{{{name}") == 1
+        before = book[: book.index(f"\\input{{{name}")]
+        assert before.rindex(part_of(name).title) == max(before.rfind(part.title) for part in PARTS)

@@ -147,6 +147,7 @@ def test_no_tex_is_left_in_the_words(some):
         ("5\\,\\% of *it*", ["5\u202f% of *it*"]),
         ("$x$, $y$s", ["<math>x</math>", ", ", "<math>y</math>", "s"]),
         ("(b) and (c) differ", ["(b) and (c) differ"]),
+        (r"see \chapter{nowhere}", [r"see \chapter{nowhere}"]),
         (r"\emph{all $c_n$}", ["<emphasis>all <math>c_n</math></emphasis>"]),
     ],
 )

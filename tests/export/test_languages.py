@@ -68,10 +68,10 @@ failed = '';
 try, haptic.linear_limit([1 2 3], [1 2], 1); catch wrong, failed = wrong.message; end
 assert(failed, 'delta: has the size [1 2]; numbers and arrays of the size [1 3] are allowed');
 try, haptic.linear_limit('1', 1, 1); catch wrong, failed = wrong.message; end
-assert(failed, 'beta: is not allowed; give real numbers');
+assert(failed, 'beta: not a real number; give real numbers');
 failed = '';
 try, haptic.linear_limit(1i, 1, 1); catch wrong, failed = wrong.message; end
-assert(failed, 'beta: is not allowed; give real numbers');
+assert(failed, 'beta: not a real number; give real numbers');
 """,
     "is_stable": """% and a truth value
 if haptic.is_stable(.1, NaN, .001, .02, 1), error('stable'); end

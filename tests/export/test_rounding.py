@@ -197,10 +197,10 @@ def test_a_readme_says_proved_where_it_is_and_measured_elsewhere():
     with_goals = {r.name for r in made.public if goals(r, TARGETS["c"])}
     assert {name for name, text in about.items() if "Proved" in text} == with_goals
     assert (
-        "alpha: at most 1, from the value of tan on, of whole delays"
+        "alpha: at most 1, from the value of tan on, of integer delays"
         in (about["max_passive_stiffness"])
     )
-    assert "whole delays (rounding" not in about["linear_limit"]
+    assert "integer delays (rounding" not in about["linear_limit"]
     assert all("measured" in text for name, text in about.items() if name in with_goals)
     assert "Proved" not in about["stability_boundary"]
     assert "Proved" not in request.built(TARGETS["rust"], chosen([]))[1]["README.md"]

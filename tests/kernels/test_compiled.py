@@ -31,7 +31,7 @@ COLUMNS = {
     "d": RNG.choice([0, 0.3, 1, 2.5, 7], 500),
     "epsilon": RNG.uniform(0, 1, 500),
 }
-NAMES = [name for name in vars(ufuncs) if f"one_{name}" in vars(ufuncs)]
+NAMES = [name for name in vars(haptic) if f"one_{name}" in vars(ufuncs)]
 
 
 def columns(name, kind=np.float64):
@@ -301,7 +301,7 @@ def test_the_variable_is_refused_on_one_line_by_every_command(monkeypatch, capsy
                 main()
             out, err = capsys.readouterr()
             assert (ended.value.code, out, err.count("\n")) == (2, "", 1)
-            assert f"{compiled.CHOICE}: '{word}' is not allowed" in err
+            assert f"{compiled.CHOICE}: '{word}' is not a" in err
             assert "'array'" in err
         monkeypatch.undo()
 

@@ -1,6 +1,7 @@
-"""The filter is certain only of what is so: its rules, its constants, and its verdicts on walls."""
+"""The filter is certain only of what is so: its rules, constants, verdicts and delay margins."""
 
 import ctypes
+import operator
 import shutil
 import subprocess
 from fractions import Fraction
@@ -27,18 +28,24 @@ FLAGS = ["-std=c++17", "-O2", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "
 UNIT = Fraction(1, 2**53)
 
 HARNESS = """
-#include "filter.h"
+#include "delay.cpp"
 using namespace filter;
 extern "C" {
 void rule(int which, const double *x, double *out) {
     const Ball a = {x[0], x[1]}, b = {x[2], x[3]};
-    const Ball found = which == 0 ? a + b : which == 1 ? a - b : which == 2 ? a*b : x[0]*b;
+    const Ball found = which == 0 ? a + b : which == 1 ? a - b : which == 2 ? a*b
+                     : which == 3 ? x[0]*b : which == 4 ? a/b : root(a);
     out[0] = found.v, out[1] = SLACK*found.e;
 }
 void sampled(double gamma, double delta, double part, double *out) {
     const Device x = part > 0 ? device<true>(gamma, delta, part) : device<false>(gamma, delta, 0);
     const Ball all[] = {x.force, x.apart, x.sums, x.gap, x.both, x.loss, x.far};
     for (int i = 0; i < 7; ++i) out[2*i] = all[i].v, out[2*i + 1] = SLACK*all[i].e;
+}
+void part(double gamma, double delta, double middle, double half, double *out) {
+    const Part p = part_of({0, 0, gamma, delta, false, {}}, middle, half);
+    const Ball all[] = {p.x.sums, p.x.gap, p.x.both, p.x.apart, p.gap, p.cross, p.tilt, p.twist};
+    for (int i = 0; i < 8; ++i) out[2*i] = all[i].v, out[2*i + 1] = SLACK*all[i].e;
 }
 double angle(double up, double along) { return arctangent(up, along); }
 void all(int n, const double *x, double *out, int fraction, int once) {
@@ -80,7 +87,7 @@ number = st.floats(-(2.0**60), 2.0**60).filter(lambda x: x == 0 or abs(x) > 2.0*
 share = st.sampled_from([0.0, 2.0**-53, 2.0**-30, 0.5, 3.0])
 
 
-@given(st.integers(0, 3), number, share, number, share, st.booleans())
+@given(st.integers(0, 4), number, share, number, share, st.booleans())
 def test_each_rule_encloses_all_results(library, which, a, off_a, b, off_b, near):
     """The extreme results of a sum or product are those of the ends."""
     b = -a * (1 + 2.0**-50) if near else b  # sums that cancel
@@ -88,11 +95,27 @@ def test_each_rule_encloses_all_results(library, which, a, off_a, b, off_b, near
     x = [a, off_a * abs(a), b, off_b * abs(b)]
     out = doubles(0, 0)
     library.rule(which, doubles(*x), out)
+    if which == 4 and not abs(x[2]) > x[3]:  # the divisor may be zero
+        assert not out[1] < np.inf
+        return
     value, off = map(Fraction, out)
-    ways = [lambda p, q: p + q, lambda p, q: p - q, lambda p, q: p * q, lambda p, q: p * q]
+    ways = operator.add, operator.sub, operator.mul, operator.mul, operator.truediv
     for p in (Fraction(x[0]) - Fraction(x[1]), Fraction(x[0]) + Fraction(x[1])):
         for q in (Fraction(x[2]) - Fraction(x[3]), Fraction(x[2]) + Fraction(x[3])):
             assert abs(ways[which](p, q) - value) <= off
+
+
+@given(number.map(abs), st.sampled_from([0.0, 2.0**-53, 0.5, 0.999, 1.0, 3.0]))
+def test_a_root_encloses_all_results(library, a, off):
+    out = doubles(0, 0)
+    library.rule(5, doubles(a, off * a, 0, 0), out)
+    if a == 0 or off >= 1:
+        assert not out[1] < np.inf
+        return
+    value, wide = map(Fraction, out)
+    below, above = Fraction(a) - Fraction(off * a), Fraction(a) + Fraction(off * a)
+    assert max(value - wide, 0) ** 2 <= below
+    assert above <= (value + wide) ** 2
 
 
 def test_the_bounds_of_the_series_cover_roundings_and_remainder():
@@ -225,3 +248,104 @@ def test_one_device_is_as_many(library):
         apart = ufuncs.certain_roots(alpha, beta, *(np.full(1000, v) for v in (1e-3, 0.01, delay)))
         assert np.array_equal(found, apart)
         assert np.all(found >= 0)
+
+
+slow_gamma = fraction_of.map(lambda x: 4 * x)
+
+
+@given(slow_gamma, fraction_of, st.sampled_from([1, 4, 16]), st.integers(0, 15), st.floats(0, 1))
+def test_a_part_of_the_period_encloses_the_device_at_all_its_delays(
+    library, gamma, share, cut, at, inside
+):
+    """The device is that of the balls, its slopes are differences over 1e-40 of a period."""
+    delta = share * (4 - gamma) / 2 if gamma < 3.99 else 0.0
+    half = 0.5 / cut
+    middle = half * (2 * (at % cut) + 1)
+    out, arguments = doubles(*[0] * 16), (gamma, delta, middle, half)
+    library.part(*map(ctypes.c_double, arguments), out)
+    with flint.ctx.workprec(600):
+        part, step = arb(middle) + arb(half) * (2 * arb(inside) - 1), arb(10) ** -40
+
+        def numbers(part):
+            x = winding.plant(gamma, delta, part)
+            sums, gap = x.m2 + x.m0, x.m2 - x.m0
+            both, apart = x.m2 * x.m0, x.m2 - x.m1 + x.m0
+            return sums, gap, both, apart, gap * gap - x.force * sums
+
+        now, before, after = (numbers(part + k * step) for k in (0, -1, 1))
+        slope = [(b - a) / (2 * step) for a, b in zip(before, after, strict=True)]
+        twist = slope[0] * now[1] - slope[1] * now[0]
+        exact = *now[:4], slope[1], now[4], slope[4], twist
+        for value, off, right in zip(out[::2], out[1::2], exact, strict=True):
+            assert abs(right - value) <= off + 1e-30
+
+
+def loops(count, seed):
+    """Loops at all distances from instability without delay and from the spring's stiffness."""
+    alpha, beta, gamma, delta, _ = walls(4 * count, seed)
+    rng = np.random.default_rng(seed)
+    beside = rng.random(alpha.size) < 0.2
+    near = gamma * (1 + rng.choice([-1, 1], alpha.size) * 10.0 ** rng.uniform(-14, -1, alpha.size))
+    alpha = np.where(beside, near, alpha * 10.0 ** rng.uniform(-4, 0, alpha.size))
+    beta = np.where(beside, 10.0 ** rng.uniform(-3, 0, alpha.size), beta)
+    good = symhaptic.is_stable(alpha, beta, gamma, delta, 0)
+    return [a[good][:count] for a in (alpha, beta, gamma, delta)]
+
+
+def test_delay_margins_are_those_of_the_balls():
+    rows = loops(150, 1)
+    found = ufuncs.max_delay(*rows)
+    assert np.mean(~np.isnan(found)) > 0.6
+    seen = 0
+    for most, *loop in zip(found.tolist(), *(a.tolist() for a in rows), strict=True):
+        exact = winding.largest_delay(*loop, most=1e3) if most == most else None
+        if exact is None or (most > 1e3 and not np.isinf(most)):
+            continue
+        seen += 1
+        near = arb(most) if np.isinf(most) else arb(most, 2e-14 * (1 + most))
+        assert exact == near if np.isinf(most) else near.overlaps(exact), loop
+    assert seen > 60
+
+
+HARD_LOOPS = [
+    (5e-324, 0.1, 0.0, 0.0), (1e-300, 1e-300, 0.0, 1e-3), (1e300, 0.1, 0.0, 0.0),
+    (0.01, 1e70, 0.0, 0.0), (np.inf, 0.1, 0.0, 0.0), (np.nan, 0.1, 0.0, 0.0),
+    (-0.0, 0.1, 0.0, 0.1), (0.01, 0.05, -0.0, -0.0), (0.01, -0.0, 0.0, 0.5),
+    (1e-3, 0.1, 1e-3, 0.1), (0.6862915010152394, 0.8284271247461901, 0.0, 0.0),
+    (1e-12, 2e-6, 0.0, 0.0), (0.3, 0.1, 4.0, 0.0), (0.3, 0.1, 39.5, 1e-9), (0.1, 0.1, 0.0, 2.0),
+    (0.01, 0.05, 5e-324, 0.0), (0.01, 0.05, 0.0, 5e-324), (0.1, -0.1, 0.0, 0.5),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("loop", HARD_LOOPS)
+def test_hard_loops_get_the_balls_answer_or_none(loop):
+    found = float(ufuncs.max_delay(*loop))
+    if not np.all(np.isfinite(loop)):
+        assert np.isnan(found)
+    elif found == found:
+        exact = winding.largest_delay(*loop, most=1e4)
+        if found > 1e4 and np.isfinite(found):
+            sides = [winding.stable(*loop, found * (1 + off)) for off in (-1e-9, 1e-9)]
+            assert sides == [True, False]
+        else:
+            near = arb(found, 2e-14 * (1 + found)) if np.isfinite(found) else arb("inf")
+            assert near.overlaps(exact)
+        delays = np.array([0.0, found / 3, 0.999 * found, 1.01 * found + 0.1, 1e6, 1e15])
+        margins = ufuncs.delay_margin(*loop, delays)
+        for delay, margin in zip(delays.tolist(), margins.tolist(), strict=True):
+            if delay < found:
+                assert margin == found - delay
+            elif margin == margin:
+                assert margin == 0
+                assert winding.stable(*loop, delay) is not True
+    assert np.isnan(ufuncs.delay_margin(*loop, -1.0))
+    assert np.isnan(ufuncs.delay_margin(*loop, np.nan))
+
+
+def test_margins_do_not_depend_on_the_place_in_the_array():
+    rows = loops(500, 5)
+    turned = np.random.default_rng(2).permutation(rows[0].size)
+    found, again = ufuncs.max_delay(*rows), ufuncs.max_delay(*(a[turned] for a in rows))
+    assert np.array_equal(found[turned], again, equal_nan=True)
+    one = [ufuncs.one_max_delay(*map(float, loop)) for loop in zip(*rows, strict=True)]
+    assert np.array_equal([np.nan if o is None else o for o in one], found, equal_nan=True)

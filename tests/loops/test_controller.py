@@ -129,7 +129,7 @@ int main(void)
 def test_what_is_no_wall_for_a_controller_is_refused():
     with pytest.raises(ValueError, match="is not stable for this device"):
         files(scene(), 1e6, 0.0)
-    with pytest.raises(ValueError, match="give what computes it from the positions"):
+    with pytest.raises(ValueError, match="give a velocity that is computed"):
         files(scene(Measured()), 100.0, 1.0)
 
 
@@ -155,3 +155,13 @@ B = 1.0
     assert "is not stable" in run.stderr
     assert run.stderr.count("\n") == 1
     assert not (tmp_path / "other").exists()
+
+
+def test_the_code_says_in_which_units_it_counts():
+    line = "".join(files(scene(), 400.0, 1.0).values())
+    knob = Scene(inertia=1e-4, damping=2e-3, sampling_period=0.001)
+    turning = "".join(files(knob, 0.02, 1e-4).values())
+    assert "N m" not in line
+    assert "rad" not in line
+    assert "N m" in turning
+    assert "rad" in turning

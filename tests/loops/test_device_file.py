@@ -60,8 +60,8 @@ def test_each_part_has_its_table(text, tmp_path):
         ("[velocity]\nkind = 3", ":4: kind = 3 is not allowed; give one of 'low-pass', "),
         ('[velocity]\ncutoff = "50 N"', ":4: cutoff: '50 N' is not allowed; give a number and a"),
         ("[velocity]\ncutoff = 0", ":4: cutoff: 0 is not allowed; give finite numbers > 0"),
-        ("[velocity]", ": cutoff: nothing is not allowed; give one of cutoff, time_constant and w"),
-        ("[velocity]\ncutoff = 5\nsamples = 3", ":5: samples is not allowed for kind = 'low-pass'"),
+        ("[velocity]", ": cutoff: nothing is not allowed; give exactly one of cutoff, time_const"),
+        ("[velocity]\ncutoff = 5\nsamples = 3", ":5: samples does not belong to kind = 'low-pass'"),
         ('[velocity]\nkind = "average"', ": [velocity] needs samples"),
         (
             '[velocity]\nkind = "average"\nsamples = 2.5',
@@ -76,11 +76,11 @@ def test_each_part_has_its_table(text, tmp_path):
         ("[structure]\nmass = 1", ": [structure] needs stiffness"),
         (
             '[structure]\nmass = 1\nstiffness = "2 N m/rad"',
-            "is not allowed for this device",
+            "do not fit this device",
         ),
         ('integrator = "Euler"', ":3: integrator: 'Euler' is not allowed; give 'hold', 'semi-impl"),
         ('virtual_mass = "1 s"', ":3: virtual_mass: '1 s' is not allowed"),
-        ('velocity = "50 Hz"', ":3: velocity is not allowed; give a table [velocity]"),
+        ('velocity = "50 Hz"', ":3: velocity is not a table; write [velocity]"),
     ],
 )
 def test_a_wrong_part_is_refused_on_one_line(text, told, tmp_path):

@@ -37,6 +37,43 @@ def test_modes_from_8_hz_to_2_khz_keep_their_digits():
     np.testing.assert_allclose(loop.A, [float(mp.re(x)) for x in wanted], rtol=1e-12)
 
 
+def test_states_that_are_mixed_keep_their_digits():
+    """The coefficients of det(w + 1 - exp(A T)), by mpmath from the same entries of A."""
+    mixed = np.array([[1.0, 2, 3, 4], [1, 3, 5, 6], [2, 5, 9, 10], [1, 2, 4, 6]])
+    modes = np.zeros((4, 4))
+    modes[:2, :2], modes[2:, 2:] = [[0, 1], [-1.44e6, -1.7]], [[0, 1], [-900.0, -0.01]]
+    A = mixed @ modes @ np.linalg.inv(mixed)
+    device = LinearDevice(A, mixed @ [0, 1, 0, 1], np.linalg.inv(mixed)[0])
+    loop = Scene(dynamics=device, sampling_period=0.001).engine.loop
+    with mp.workdps(60):
+        step = mp.expm(mp.matrix(A.tolist()) * mp.mpf(0.001)) - mp.eye(4)
+        wanted, adjugate = [mp.mpf(1)], mp.eye(4)  # by Faddeev and LeVerrier
+        for n in range(1, 5):
+            turned = step * adjugate
+            wanted.append(-sum(turned[i, i] for i in range(4)) / n)
+            adjugate = turned + wanted[-1] * mp.eye(4)
+    np.testing.assert_allclose(loop.A, [float(x) for x in wanted[::-1]], rtol=1e-12)
+
+
+@pytest.mark.usefixtures("either")
+@pytest.mark.parametrize("modes", [3, 4])
+def test_one_of_many_modes_gains_energy(modes):
+    """Modes of nearly one frequency: the root exp(s T) of one is outside, by s of its device."""
+    dice = np.random.default_rng(modes)
+    for _ in range(8):
+        A, B, C = (np.zeros(n) for n in ((2 * modes, 2 * modes), 2 * modes, 2 * modes))
+        middle, spread, ratio = 10 ** dice.uniform((1, -6, -9), (3.4, -2, -2))
+        for i, omega in enumerate(middle * (1 + spread * dice.uniform(-1, 1, modes))):
+            gains = -0.1 if i == 0 else 1.0
+            A[2 * i, 2 * i + 1] = B[2 * i + 1] = C[2 * i] = 1.0
+            A[2 * i + 1, 2 * i : 2 * i + 2] = -(omega**2), -2 * gains * ratio * omega
+        scene = Scene(dynamics=LinearDevice(A, B, C), sampling_period=0.001)
+        assert not scene.is_stable(0.0, 0.0), (middle, spread, ratio)
+        A[1::2, 1::2] = np.diag([-2 * 0.2 * middle] * modes)
+        damped = Scene(dynamics=LinearDevice(A, B, C), sampling_period=0.001)
+        assert damped.is_stable(0.0, 0.0), (middle, spread)
+
+
 @pytest.mark.usefixtures("either")
 def test_a_stiff_wall_next_to_a_root_at_minus_one():
     """|W| nearly vanishes at z = -1, and its square has no digits left there: two roots outside."""

@@ -127,7 +127,7 @@ def test_faster_readings_make_the_difference_younger():
         ((Difference(), 65), "times: 65"),
         ((Difference(), True), "times: True"),
         ((Difference(), 2.0), r"times: 2\.0"),
-        ((Window(9), 4), "velocity: Window.*at most 8 numbers"),
+        ((Window(9), 4), "velocity: Window.*at most 8"),
     ],
 )
 def test_what_no_sensor_reads_is_refused(given, why):

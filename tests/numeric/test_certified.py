@@ -151,3 +151,37 @@ def test_a_scene_with_more_than_a_delay_is_refused():
     scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, velocity=LowPass(cutoff=100.0))
     with pytest.raises(ValueError, match="certified: True is not allowed for a loop with a filter"):
         scene.is_stable(100.0, 1.0, certified=True)
+
+
+def test_a_wall_that_is_clearly_passive_or_not_needs_no_balls(monkeypatch):
+    """They take a thousand times as long."""
+
+    def none(*_):
+        pytest.fail("asked in balls")
+
+    monkeypatch.setattr(certified, "passive", none)
+    assert is_passive([1.9, 2.1], 0.0, 1.0, 0).tolist() == [True, False]
+    assert is_passive(1.9, 0.0, 1.0, 0)
+
+
+def test_a_free_mass_is_judged_by_its_closed_form():
+    """Beside Jury's table in fractions, up to last places from the boundary and to its corners."""
+    rng = np.random.default_rng(8)
+    beta = np.concatenate([rng.uniform(0, 2, 300), 10 ** rng.uniform(-300, 0, 100), [2.0, -0.0]])
+    alpha = 2 * beta * (2 - beta) / (2 + beta)
+    alpha *= 1 + rng.choice([-1, 1], beta.size) * 10 ** rng.uniform(-16, 0, beta.size)
+    alpha[:50] = np.nextafter(alpha[:50], rng.choice([-1, 9], 50))
+    odd = [-1.0, -0.0, 0.0, 5e-324, 1e-30, 1e70, np.nan]
+    alpha, beta = np.concatenate([alpha, odd, np.full(7, 0.1)]), np.concatenate([beta, odd, odd])
+    said = is_stable(alpha, beta, 0.0, 0.0, 0.0)
+    assert np.array_equal(said, [is_stable(*wall, 0.0, 0.0, 0.0) for wall in zip(
+        alpha.tolist(), beta.tolist(), strict=True)])  # fmt: skip
+    for verdict, a, b in zip(said.tolist(), alpha.tolist(), beta.tolist(), strict=True):
+        exact = np.isfinite(a + b) and a > 0 and b > 0 and (
+            2 * Fraction(b) * (2 - Fraction(b)) - Fraction(a) * (2 + Fraction(b)) > 0
+        )  # fmt: skip
+        assert not verdict or exact
+        if 1e-60 < b < 2 and abs(a * (2 + b) / (2 * b * (2 - b)) - 1) > 1e-12:
+            assert verdict == exact
+    with pytest.raises(ValueError, match=r"^alpha: inf is not allowed"):
+        is_stable([0.1, np.inf], 0.5, 0.0, 0.0, 0.0)

@@ -47,6 +47,13 @@ def test_nan_is_nan_and_the_pulling_wall_has_no_margin():
     assert symhaptic.passivity_margin(-1.0, 0.0, 1.0, 0, digits=20) == arb("-inf")
 
 
+def test_a_ball_without_end_is_no_answer_while_more_bits_may_give_one(monkeypatch):
+    """Next to a whole swing in a period hardly any force is left, but some: 6 bits do not tell."""
+    monkeypatch.setattr("symhaptic.balls.exact.bits", lambda values: 2)
+    alpha, _ = symhaptic.stability_boundary(1.0, 39.478417604357434, 0.0, 0, digits=1)
+    assert abs(alpha - 6.40235180571087e32) < 0.2 * alpha  # with 20 digits
+
+
 @pytest.mark.parametrize(
     ("call", "said"),
     [
@@ -54,7 +61,7 @@ def test_nan_is_nan_and_the_pulling_wall_has_no_margin():
         (lambda: symhaptic.discretize(-0.1, 0.1, digits=9), "gamma: -0.1 is not allowed"),
         (lambda: symhaptic.max_passive_stiffness(0.1, 0.5, digits=9), "delay: a fraction is not"),
         (lambda: symhaptic.stability_boundary(1.0, 0.0, 0.0, 0.5, "principal", digits=9),
-         "delay: a fraction is not allowed for digits with sheet='principal'"),
+         "delay: a fraction is not available for digits with sheet='principal'"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_is_refused(call, said):

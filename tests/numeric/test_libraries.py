@@ -158,6 +158,7 @@ def test_derivatives_in_jax_of_arrays_and_of_compiled_functions():
     assert jax.grad(stiffest)(jnp.float32(0.02)).dtype == jnp.float32
 
 
+@pytest.mark.ci  # JAX traces and compiles for 4 s
 def test_what_jax_cannot_differentiate_says_what_to_do():
     jax_numpy(), pytest.importorskip("jax")
     import jax

@@ -8,7 +8,7 @@ from oracle import sampled
 from scipy.linalg import expm
 
 from symhaptic import discretize
-from symhaptic.numeric.plant import device
+from symhaptic.numeric.plant import device, impulse
 
 
 def exact(gamma, delta):
@@ -118,3 +118,13 @@ def test_what_the_ends_of_a_late_force_differ_by(turns):
             exact = float(early - late)
         found = device(*(np.asarray(float(v)) for v in (gamma, delta, part))).gap
         assert found == pytest.approx(exact, rel=1e-14, abs=1e-22)
+
+
+@pytest.mark.parametrize("delta", [0.0, 0.3, 2.0, 9.0, 60.0])
+def test_a_unit_impulse_moves_the_device_as_its_matrix_says(delta):
+    """Swinging, critically damped at (1, 2), and creeping."""
+    for gamma in (0.0, 1e-6, 1.0, 40.0):
+        for time in (0.1, 0.5, 1.0):
+            moved = expm(np.array([[0, 1], [-gamma, -delta]]) * time)[0, 1]
+            found = impulse(np.array(gamma), np.array(delta), np.array(time))
+            assert found == pytest.approx(moved, rel=1e-12)

@@ -151,7 +151,8 @@ def test_such_a_wall_has_no_margin():
 
 @pytest.mark.parametrize(
     "scene",
-    ["", "no-stiffness", "no-delay", "no-damping", "no-virtual-damping", "no-stiffness,no-delay"],
+    ["", "no-stiffness", *(pytest.param(scene, marks=pytest.mark.ci) for scene in (
+        "no-delay", "no-damping", "no-virtual-damping", "no-stiffness,no-delay"))],
 )  # fmt: skip
 def test_no_scene_calls_it_stable(scene):
     stable = lambdify("is_stable", scene=scene or None)

@@ -75,25 +75,6 @@ def test_at_rest_the_wall_is_a_spring():
 
 
 @guards("s2c_delay")
-def test_only_the_sum_of_two_delays_matters():
-    def positions(read, pushed, steps=60):
-        (move, push), K, B = motion.held(1.0, 0.05, 0.02, 1.0), 0.1, 0.3
-        state, x, forces = np.array([0.0, 1.0]), [0.0] * (read + 2), [0.0] * (pushed + 1)
-        for _ in range(steps):
-            x.append(state[0])
-            seen, before = x[-1 - read], x[-2 - read]
-            forces.append(-(K * seen + B * (seen - before)))
-            state = move @ state + push * forces[-1 - pushed]
-        return np.array(x[read + 2 :])
-
-    late = positions(0, 3)
-    for read in (1, 2, 3):
-        assert np.array_equal(positions(read, 3 - read), late)
-    assert np.array_equal(motion.positions(0.1, 0.3, b=0.05, k=0.02, late=3.0, steps=59), late)
-    assert not np.allclose(positions(1, 3), late)
-
-
-@guards("s2c_delay")
 def test_a_late_force_has_moved_the_mass_at_the_next_sample():
     def agrees(first):
         for late in (0.1, 0.5, 0.9):

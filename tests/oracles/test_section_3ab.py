@@ -182,22 +182,6 @@ def test_each_point_of_the_envelope_is_where_two_lines_meet():
 
 
 @guards("s3b_rise")
-def test_frequencies_beyond_the_first_half_turn_cut_off_nothing():
-    rng = np.random.default_rng(33)
-    for d in (0.0, 0.3, 1.0, 1.6, 4.0):
-        for direction in rng.uniform(-np.pi / 2, np.pi / 2, size=20):
-            K, B = np.cos(direction), np.sin(direction)
-            low = energy.need(K, B, d, energy.ANGLES * (1 / (d + 1))).max()
-            # a grid of 2000 steps misses a maximum by less than (d+1)^3 1e-5
-            assert energy.need(K, B, d).max() <= low + 1e-5 * (d + 1) ** 3
-    # a wall that pulls can be worse beyond
-    assert (
-        energy.need(-1.0, 1.2, 1.0).max()
-        > energy.need(-1.0, 1.2, 1.0, energy.ANGLES / 2).max() + 0.1
-    )
-
-
-@guards("s3b_rise")
 def test_the_two_ends_of_the_margin():
     def agrees(low, high):
         for u, w, N in ((0.3, 0.2, 2), (0.1, 0.9, 5.5), (0.02, -0.4, 12)):

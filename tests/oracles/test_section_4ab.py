@@ -227,30 +227,6 @@ def test_free_motion_and_the_effect_of_a_force_over_any_time():
 
 
 @guards("s4a_instants")
-@pytest.mark.parametrize("late", [0, 2])
-def test_the_samples_of_a_loop_that_is_integrated_in_continuous_time(late):
-    alpha, beta, gamma, delta = 0.2, 0.4, 0.3, 0.1
-    state, place, forces = np.array([0.0, 1.0]), [0.0, 0.0], [0.0] * (late + 1)
-    for _ in range(30):
-        forces.append(-(alpha + beta) * place[-1] + beta * place[-2])
-        force = forces[-1 - late]
-        moved = solve_ivp(
-            lambda _, x, force=force: (x[1], force - gamma * x[0] - delta * x[1]),
-            (0, 1),
-            state,
-            rtol=1e-11,
-            atol=1e-12,
-        )
-        state = moved.y[:, -1]
-        place.append(state[0])
-    matrix, vector = oracle.loops(alpha, beta, gamma, delta, late), np.zeros(3 + late)
-    vector[1] = 1.0
-    for x in place[1:]:
-        assert vector[0] == pytest.approx(x, abs=1e-8)  # 30 periods of the integrator's error
-        vector = matrix @ vector
-
-
-@guards("s4a_instants")
 def test_a_force_that_is_not_held_and_one_that_is_half_a_period_late():
     def agrees(ramp, late):
         moved = solve_ivp(lambda t, x: (x[1], t), (0, 1), (0.0, 0.0), rtol=1e-12, atol=1e-13)

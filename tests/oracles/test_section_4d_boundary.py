@@ -276,25 +276,6 @@ def gap(gamma, delta):
 
 
 @guards("s4d_explicit_boundary_signs")
-def test_the_signs_of_an_arms_numbers_up_to_half_a_swing_per_period():
-    rng = np.random.default_rng(47)
-    arms = [(rng.uniform(0, np.pi**2), 10 ** rng.uniform(-3, 1)) for _ in range(60)]
-    for swing, delta in [*arms, (9.8, 0.1), (1e-6, 3.0)]:
-        share, above, mass = gap(swing + delta**2 / 4, delta)
-        assert 0 < share < mpmath.mpf("0.5")
-        assert above > 0
-        assert mass > 0
-    # without a spring there is no gap, without a damper the share is one half
-    assert abs(gap(0, 0.7)[1]) < 1e-38
-    share, above, mass = gap(2.0, 0)
-    assert abs(share - mpmath.mpf("0.5")) < 1e-50
-    assert abs(above) < 1e-38
-    assert mass > 0
-    # beyond half a swing, and with much damping, a sample can lie on the other side of 0
-    assert gap(1.5 * np.pi**2 + 25, 10)[0] < 0
-
-
-@guards("s4d_explicit_boundary_signs")
 def test_what_the_signs_are_made_of():
     """The integrals by quadrature, beside the sampled device."""
 

@@ -113,19 +113,3 @@ def test_with_a_delay_the_spring_is_a_visible_part_of_the_width():
         moduli = np.sort(oracle.moduli(-gamma, 0.25, gamma, delta, 2))
         assert moduli[-1] == pytest.approx(1, abs=1e-12)
         assert moduli[-2] < 1
-
-
-@guards("s4d_figure9_delayed")
-def test_walls_next_to_the_drawn_left_bounds_and_tips():
-    """By a search with eigenvalues at the four limits: the tips, and who is stable beside them."""
-    thin = 2e-4
-    for gamma in (0.0, 1e-3):
-        for delta in (0.0, 0.02):
-            for d, high, near in ((1, 0.8, 0.3), (2, 0.5, 0.25)):
-                tip, damping = stiffest(gamma, delta, d, 0.01, high)
-                assert oracle.stable(tip - thin, damping, gamma, delta, d)
-                betas = np.linspace(-0.1, 1, 2001)
-                assert oracle.moduli(tip + thin / 20, betas, gamma, delta, d).max(-1).min() > 1
-                assert oracle.stable(-gamma + thin / 2, near, gamma, delta, d)
-                if d == 2:
-                    assert tip < 0.07

@@ -53,48 +53,6 @@ def test_the_polynomial_at_one_and_the_sum_of_the_plants_numbers():
     only(agrees_in_sum, *(shown(LEFT, title) for title in titles))
 
 
-@guards("s4d_left_bound")
-def test_without_delay_walls_beside_the_line_are_stable_on_the_right_only():
-    rng = np.random.default_rng(61)
-    for _ in range(60):
-        gamma, delta = rng.uniform(0.1, 9.5), rng.uniform(0.01, 2)
-        assert oracle.stable(-gamma + 1e-6, 0, gamma, delta, 0)
-        for d in (0, 1, 2):
-            betas = rng.uniform(-3, 3, size=5)
-            assert not any(oracle.stable(-1.001 * gamma, b, gamma, delta, d) for b in betas)
-
-
-@guards("s4d_left_bound_delayed")
-def test_one_period_late_soft_springs_reach_the_line_and_a_stiff_one_does_not():
-    rng = np.random.default_rng(62)
-    for _ in range(60):
-        gamma, delta = rng.uniform(0.01, 1), rng.uniform(0, 2)
-        assert oracle.stable(-gamma + 1e-6, 0, gamma, delta, 1)
-    assert oracle.stable(1e-6, 0.5, 0, 0, 1)  # the free mass
-    gamma = 4 * np.pi**2 / 9
-    for share in (1, 0.999, 0.99):
-        betas = np.linspace(-20, 20, 4001)
-        assert oracle.moduli(-share * gamma, betas, gamma, 0, 1).max(axis=-1).min() > 1.001
-    n1 = float(oracle.numbers(gamma, 0)[0])
-    assert oracle.moduli(0, -0.1 / n1, gamma, 0, 1).max() < 0.97
-
-
-@guards("s4d_left_bound_delayed")
-def test_damped_arms_and_those_of_the_ranges_reach_the_line():
-    rng = np.random.default_rng(64)
-    for _ in range(60):
-        delta, near = rng.uniform(0.01, 3), rng.uniform(1e-4, 1)
-        step = delta * near / (delta + 2 * near)
-        for d, gamma in ((0, rng.uniform(0, 50)), (1, rng.uniform(0, 2 * delta))):
-            assert oracle.stable(-gamma + step, 0, gamma, delta, d)
-    for _ in range(200):  # the arms of (23)
-        gamma, delta = rng.uniform(0, 0.001), rng.uniform(0, 0.02)
-        beta, near = rng.uniform(0.25, 0.5), rng.uniform(1e-6, 0.01)
-        assert oracle.stable(-gamma + near, beta, gamma, delta, 0)
-        for d in (0, 1, 2, 8):
-            assert not oracle.stable(-gamma - near, beta, gamma, delta, d)
-
-
 @guards("s4d_left_bound_delayed")
 def test_polynomials_on_the_line():
     gamma = 4 * np.pi**2 / 9
@@ -164,20 +122,6 @@ def test_a_spring_and_a_mass_that_destabilise():
     for mass, grows in ((m, False), (2 * m, True)):
         place = np.abs(motion.positions(*wall, mass, b, 0.0, T, 1.0, steps=steps))
         assert (place[-start:].max() > place[start : 2 * start].max()) == grows
-
-
-@guards("s4d_scaling_kept", "s6_scaling")
-def test_what_is_scaled_with_the_period_or_the_mass_leaves_the_loop_as_it_is():
-    m, b, k, T, K, B = 0.4, 3.0, 250.0, 2e-3, 9e3, 30.0
-    for late in (0, 2):
-        before = motion.positions(K, B, m, b, k, T, late, speed=1 / T)
-        size = 1e-11 * np.abs(before).max()  # 200 steps of rounding
-        faster = motion.positions(4 * K, 2 * B, m, 2 * b, 4 * k, T / 2, late, speed=2 / T)
-        heavier = motion.positions(2 * K, 2 * B, 2 * m, 2 * b, 2 * k, T, late, speed=1 / T)
-        assert np.allclose(faster, before, rtol=0, atol=size)
-        assert np.allclose(heavier, before, rtol=0, atol=size)
-        kept = motion.positions(4 * K, 2 * B, m, b, k, T / 2, late, speed=2 / T)
-        assert not np.allclose(kept, before, rtol=0, atol=1e3 * size)
 
 
 @guards("s4d_scaling_kept", "s6_scaling")

@@ -46,20 +46,6 @@ def test_the_ratios_of_the_arm_at_the_limits():
     assert one_delta.FIGURES == 0.02 / 0.000625
 
 
-@guards("s5a_one_delta")
-def test_walls_that_are_passive_for_the_device_alone_are_stable_in_every_arm():
-    for _ in range(200):
-        delay = int(RNG.integers(0, 6))
-        device, arm = RNG.uniform(1e-4, 0.02), RNG.uniform(0, 0.1)
-        wall = RNG.uniform(0, 2 * device, 1), RNG.uniform(-device, device, 1)
-        if needed(*wall, 1.0, delay) < device:
-            spring = RNG.uniform(0, 9)
-            assert oracle.stable(*wall, spring, device + arm, delay)
-    # what the damping of the arm allows is not passive for the device
-    assert needed(2 * 0.02 * 0.99, 0.0, 1.0, 0) < 0.02
-    assert needed(2 * 0.02 * 0.99, 0.0, 1.0, 0) > 0.01
-
-
 # -- areas -------------------------------------------------------------------------------------
 
 AREAS = (0.962, 0.0889, 0.0264, 0.0116, 0.0063, 0.0039, 0.0026, 0.0019, 0.0014)
@@ -220,56 +206,3 @@ def test_far_higher_by_a_search():
                 most = first_arc(mpmath.mpf(str(sp.Float(gamma))), mpmath.mpf("0.02"), delay)
             low = mpmath.mpf(digits)
             assert -1e-8 <= most / tip - low < 1e-6 + 1e-8
-
-
-# -- limits of the spring and of the hand ----------------------------------------------------------
-
-
-@guards("s5c_nyquist_pole")
-def test_without_damping_a_triangle_of_walls_is_limit_stable():
-    """At gamma = pi^2, d = 0 one eigenvalue is -1; the others are inside for three half planes."""
-    alphas, betas = RNG.uniform(-11, 11, 3000), RNG.uniform(-6, 6, 3000)
-    edges = np.minimum(alphas + np.pi**2, betas + np.pi**2 / 2)
-    edges = np.minimum(edges, -(alphas + 2 * betas))
-    found = np.linalg.eigvals(oracle.loops(alphas, betas, np.pi**2, 0.0, 0))
-    nearest = np.abs(found + 1).argmin(axis=-1)
-    rest = np.array([np.delete(f, i) for f, i in zip(found, nearest, strict=True)])
-    inside = np.abs(rest).max(axis=-1) < 1
-    assert np.abs(np.take_along_axis(found, nearest[:, None], -1) + 1).max() < 1e-6
-    clear = np.abs(edges) > 1e-3
-    assert np.array_equal(inside[clear], edges[clear] > 0)
-    assert inside.sum() > 100
-
-
-@guards("s5c_nyquist_pole")
-def test_the_sampled_device_loses_a_pole_at_minus_one():
-    """2/pi^2/(z + 1), by the matrix exponential."""
-    n1, n0, a, e = (complex(n) for n in oracle.numbers(float(np.pi) ** 2, 0.0))
-    for z in (0.3 + 0.4j, 2.0, -0.2):
-        assert (n1 * z + n0) / (z * z - a * z + e) == pytest.approx(2 / np.pi**2 / (z + 1))
-
-
-@guards("s5c_nyquist_region")
-def test_the_sides_of_the_triangle_move_by_less_than_a_twentieth():
-    for delta in (0.001, 0.01, 0.02):
-        gamma, f = np.pi**2 + delta**2 / 4, np.exp(-delta / 2)
-        ways = gamma - np.pi**2, gamma / (1 + f) - np.pi**2 / 2, gamma * (1 - f) / (1 + f)
-        assert all(0 < way < 0.05 for way in ways)
-    assert ways[2] > 0.049  # and not much less
-    # the edge by eigenvalues: alpha + 2 beta = 0.0493 at delta = 0.02
-    for way, stable in ((0.0485, True), (0.0500, False)):
-        assert oracle.stable(0.0, way / 2, np.pi**2 + 1e-4, 0.02, 0) is stable
-
-
-@guards("s6_scaling")
-def test_what_a_lighter_hand_leaves_of_the_walls():
-    """By eigenvalues of a mass without damper and spring: twice the mass bears twice the wall."""
-    for device in (0.1, 1.0):
-        heavy, light = device + 1.0, device + 0.25
-        share = light / heavy
-        for alpha, beta in ((0.65, 0.8), (0.7, 0.8), (0.3, 1.3), (0.3, 1.8)):
-            one = oracle.radius(alpha, beta, 0.0, 0.0, 0)  # of heavy, K = alpha heavy
-            other = oracle.radius(share * alpha * heavy / light, beta, 0.0, 0.0, 0)
-            assert one == pytest.approx(other)
-            assert oracle.radius(alpha * heavy / light, beta * heavy / light, 0.0, 0.0, 0) > 1
-    assert (0.1 + 0.25) / 1.1 < (1 + 0.25) / 2

@@ -13,7 +13,6 @@ from oracles.subject import counterexample, decimals, meant, number, only, page,
 UNDELAYED, WALL, NUMBERS, PEAK = (
     f"s5b_stiffest_{name}" for name in ("undelayed", "wall", "wall_numbers", "wall_peak")
 )
-SOFT = [(1e-3, 0.02), (0.0, 0.1), (5e-4, 0.05)]
 FOR_EVER = 0.00059
 with mpmath.workdps(60):
     DELTA = mpmath.mpf(1) / 50
@@ -86,45 +85,6 @@ def test_what_the_wall_is_half_a_period_earlier():
     only(agrees, shown(WALL, title))
 
 
-@guards("s5b_stiffest_wall")
-@pytest.mark.parametrize("d", [1, 2, 5, 12])
-def test_no_stable_wall_is_stiffer_than_the_first_arc(d):
-    rng = np.random.default_rng(56 + d)
-    for gamma, delta in SOFT:
-        most = float(first_arc(gamma, delta, d))
-        high = 1.9 * np.tan(np.pi / 4 / (d + 1))
-        found, _ = stiffest(gamma, delta, d, 0.01, high, top=1.5 * most)
-        assert found == pytest.approx(most, rel=1e-9)
-        for share, beta in zip(rng.uniform(1.001, 20, 20), rng.uniform(-2, 2, 20), strict=True):
-            assert not oracle.stable(share * most, beta, gamma, delta, d)
-
-
-@guards("s5b_stiffest_wall")
-@pytest.mark.parametrize("d", [20, 40, 48])
-def test_with_a_long_delay_stiffer_walls_near_the_first_arc_are_unstable(d):
-    rng = np.random.default_rng(57 + d)
-    most = float(first_arc(1e-3, 0.02, d))
-    share, beta = rng.uniform(1.001, 3, 40), rng.uniform(-0.1, 0.1, 40)
-    assert oracle.moduli(share * most, beta, 1e-3, 0.02, d).max(axis=-1).min() > 1
-    stable = oracle.moduli(0.999 * most, np.linspace(-0.1, 0.1, 401), 1e-3, 0.02, d)
-    assert stable.max(axis=-1).min() < 1
-
-
-@guards("s5b_stiffest_wall_numbers")
-def test_the_ratio_at_one_period_of_delay_by_a_search():
-    found = []
-    for gamma, delta in ((1e-3, "0.02"), (0.0, "0.0202")):
-        most, _ = stiffest(gamma, float(delta), 1, 0.1, 0.7, top=0.5)
-        found.append(most / passive(mpmath.mpf(delta), 1))
-    # both numbers of the paper are cut or rounded so that they fail a little beyond the range
-    assert found[0] > 9.3 > found[1]
-    assert 1 / found[0] < 0.1074 < 1 / found[1]
-    rng = np.random.default_rng(58)
-    for _ in range(20):  # on all of (23)
-        gamma, delta = rng.uniform(0, 1e-3), rng.uniform(1e-3, 0.02)
-        assert first_arc(gamma, delta, 1) > passive(delta, 1) / mpmath.mpf("0.1074")
-
-
 @guards("s5b_stiffest_wall_numbers")
 def test_the_tables_of_the_ratios():
     stiff, damped = (b.rows for b in page(NUMBERS).blocks if b.kind == "table")
@@ -142,17 +102,6 @@ def test_the_tables_of_the_ratios():
         beta = float(str(cell)) * float(DELTA)
         alphas = np.geomspace(1e-6, 1, 800)
         assert oracle.moduli(alphas, beta, 1e-3, 0.02, d).max(axis=-1).min() < 1
-
-
-@guards("s5b_stiffest_wall_numbers")
-def test_a_wall_that_is_stable_for_every_delay():
-    n1, n0, a, e = (float(n) for n in oracle.numbers(1e-3, 0.02))
-    z = np.exp(1j * np.linspace(0, np.pi, 200_001))
-    # the loop's gain is below 1 at each angle: no delay can close it
-    assert (FOR_EVER * np.abs((n1 * z + n0) / (z * z - a * z + e))).max() < 1
-    for d in (0, 3, 20, 77, 150):
-        assert oracle.stable(FOR_EVER, 0.0, 1e-3, 0.02, d)
-    assert not all(oracle.stable(1e-3, 0.0, 1e-3, 0.02, d) for d in (20, 77, 150))
 
 
 @guards("s5b_stiffest_wall_peak")
@@ -219,17 +168,3 @@ def test_without_delay_every_softer_wall_is_stable_too():
 def test_a_wall_that_only_its_stiffness_keeps_stable_one_period_late():
     assert oracle.certified(0.0, -2.5, 5.0, 0.5, 1) > 0
     assert oracle.certified(4.0, -2.5, 5.0, 0.5, 1) == 0
-
-
-@guards("s5b_figure")
-def test_the_ratio_runs_as_drawn_at_the_listed_delays():
-    """Along the tips of the first arc, by a search, for both springs of Fig. 12."""
-    for gamma, delays, last in (
-        (0, (1, 2, 4, 8, 16, 32, 64, 122), 0.91),
-        ("0.001", (1, 7, 20, 35, 40), 0.06),
-    ):
-        ratios = [passive(DELTA, d) / first_arc(mpmath.mpf(gamma), DELTA, d) for d in delays]
-        assert ratios == sorted(ratios)
-        assert 0.9998 < ratios[-1] < 1
-        stable = first_arc(0, DELTA, 1000) if gamma == 0 else mpmath.mpf(FOR_EVER)
-        assert passive(DELTA, 1000) / stable < last

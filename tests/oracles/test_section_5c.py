@@ -163,18 +163,3 @@ def test_the_three_sides_of_the_triangle():
                 assert number(side, delta=delta) == pytest.approx(high + 2 * beta, abs=1e-9)
 
     only(agrees_with_the_third_side, shown(REGION, THIRD))
-
-
-@guards("s5c_nyquist_region")
-def test_the_corners_of_the_triangle():
-    for delta in (0.005, 0.02):
-        gamma, left = at_nyquist(delta)
-        low, most = -gamma / (1 + left), gamma * (3 - left) / (1 + left)
-        middle = np.array([most, low]) * 0.2 + np.array([-gamma, low]) * 0.4
-        middle += np.array([-gamma, -low]) * 0.4
-        for corner in ((most, low), (-gamma, low), (-gamma, -low)):
-            for share, holds in ((0.99, True), (1.01, False)):
-                wall = middle + share * (np.array(corner) - middle)
-                assert oracle.stable(*wall, gamma, delta, 0) == holds
-        assert most > 13 * 0.72
-        assert low == pytest.approx(-(np.pi**2) / 2, rel=0.01)

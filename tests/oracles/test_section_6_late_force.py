@@ -92,24 +92,6 @@ def test_each_kind_of_device_answers_a_late_force_by_its_matrix_exponential():
                 assert abs(ours - theirs) < 1e-14
 
 
-@guards("s6a_fractional_plant")
-def test_one_function_gives_all_numbers():
-    """n_0 from the motion backward, m_2 and m_0 from shorter periods."""
-    for gamma, delta in ((2.0, 0.5), (0.1, 3.0)):
-        gamma, delta = mpmath.mpf(gamma), mpmath.mpf(delta)
-        backward = mpmath.exp(-delta) * oracle.numbers(gamma, -delta)[0]
-        assert abs(oracle.numbers(gamma, delta)[1] - backward) < 1e-50
-        for late in LATES:
-            late = mpmath.mpf(late)
-            rest = 1 - late
-            m_2, m_1, m_0 = numerator(gamma, delta, late)
-            first = rest**2 * oracle.numbers(gamma * rest**2, delta * rest)[0]
-            last = late**2 * oracle.numbers(gamma * late**2, delta * late)[1]
-            assert abs(m_2 - first) < 1e-50
-            assert abs(m_0 - mpmath.exp(-delta * rest) * last) < 1e-50
-            assert abs(m_2 + m_1 + m_0 - sum(oracle.numbers(gamma, delta)[:2])) < 1e-50
-
-
 @guards("s6b_fractional_stability")
 def test_the_polynomial_and_the_wall_that_a_root_needs():
     cases = [(0.3, 0.5, 0, 0.5), (1.2, -0.4, 1, 0.1), (-0.2, 0.1, 3, 0.8)]
@@ -229,33 +211,6 @@ def test_exact_and_printed_walls_of_a_root():
         "Their phases differ by the third power of the angle",
     )
     only(agrees, *(shown(HALF, title) for title in titles))
-
-
-@guards("s6c_half_a_period")
-@pytest.mark.parametrize("whole", [0, 1, 3])
-def test_half_a_period_late_stable_walls_are_stable_in_the_papers_reading(whole):
-    """On 9 rays the true edge is at most 1.03 per cent nearer, and never farther."""
-    late = whole + 0.5
-    ratios = []
-    for slope in np.geomspace(whole + 1.05, 400, 9):
-        ray = np.array([1.0, slope]) / slope
-
-        def last(stable, ray=ray):
-            steps = np.geomspace(1e-4, 4, 60)
-            outside = next(i for i, r in enumerate(steps) if not stable(*(r * ray)))
-            assert outside > 0
-            return edge(steps[outside - 1], steps[outside], lambda r: stable(*(r * ray)), 30)
-
-        true = last(lambda a, b: oracle.stable(a, b, 0, 0, late))
-        paper = last(lambda a, b: oracle.principal(a, b, 0, 0, late).max() < 1)
-        ratios.append(true / paper)
-    # halving 30 times, and eigenvalues of order 7 to 13
-    assert max(ratios) < 1 + 1e-9
-    assert min(ratios) > 4 * np.sqrt(3) / 7 - 1e-9
-    if whole == 0:
-        assert min(ratios) < 0.99
-        assert not oracle.stable(1 / 15, 16 / 15, 0, 0, late)
-        assert oracle.principal(1 / 15, 16 / 15, 0, 0, late).max() < 1
 
 
 @guards("s6c_half_a_period")

@@ -1,6 +1,7 @@
 """Balls around roots contain them, and nothing is taken for what it is not."""
 
 import mpmath
+import numpy as np
 import pytest
 import sympy as sp
 from flint import arb, ctx
@@ -15,8 +16,11 @@ from symhaptic.proof.rewriting import Unsupported
 from symhaptic.proof.roots import (
     NoSuchRoot,
     algebraic,
+    between_decimals,
     decimals,
+    real_roots,
     root_between,
+    rounded,
     zero,
 )
 
@@ -166,3 +170,38 @@ def test_a_rational_zero_is_checked_again():
         found = zero(expr, x, root - Rational(1, 20), root + Rational(1, 30))
         assert (found.ball * int(root.q)).contains(int(root.p))
         assert recheck(found)
+
+
+def test_real_roots_of_planted_polynomials():
+    rng = np.random.default_rng(2014)
+    for _ in range(50):
+        planted = np.sort(rng.choice(np.arange(-20, 21), size=3, replace=False)) / 8
+        pair = rng.uniform(-1, 1), rng.uniform(0.1, 1)
+        p = np.polymul(np.poly(planted), [1, -2 * pair[0], pair[0] ** 2 + pair[1] ** 2])
+        found = real_roots([arb(float(c)) for c in p[::-1]])
+        assert [float(r) for r in found] == pytest.approx(planted.tolist(), abs=1e-10)
+
+
+def test_real_roots_refuses_a_double_root():
+    with pytest.raises(NoSuchRoot, match="told apart"):
+        real_roots([arb("0.1") ** 2, -2 * arb("0.1"), arb(1)])
+
+
+def test_rounded_refuses_what_it_does_not_know():
+    with pytest.raises(NoSuchRoot, match="may be zero"):
+        rounded(arb(0, 1))
+    with pytest.raises(NoSuchRoot, match="not known"):
+        rounded(arb(1, 0.001))
+    assert rounded(-arb(200).sqrt(), 5) == "-14.142"
+
+
+def test_between_decimals_wants_a_change_of_sign():
+    with pytest.raises(NoSuchRoot, match="opposite signs"):
+        between_decimals(lambda x: arb(int(x.p), 0) ** 2 + 1, 1, 2, 6)
+
+
+def test_a_zero_in_a_ball_of_a_parameter():
+    """cos(y x) for y within 1/1000 of 1: the zero is within 1/500 of pi/2."""
+    at = zero(cos(y * x), x, S.One, S(2), {y: arb(1, 0.001)}).ball
+    assert at.contains(arb.pi() / 2)
+    assert at.rad() < 0.01

@@ -61,9 +61,13 @@ def test_quantities_are_converted_and_come_back(method):
             assert found.units == unit(METHODS[method]).units
             found = found.magnitude
         assert found == pytest.approx(wanted)
-    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; give what converts to N/m$"):
+    with pytest.raises(
+        ValueError, match=r"^K: .+ is not allowed; give a quantity that converts to N/m$"
+    ):
         getattr(SCENE, method)(K=K * unit("m"), B=5.0)
-    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; give what converts to N/m$"):
+    with pytest.raises(
+        ValueError, match=r"^K: .+ is not allowed; give a quantity that converts to N/m$"
+    ):
         getattr(SCENE, method)(K=xarray.DataArray(K * unit("m"), dims="wall"), B=5.0)
 
 

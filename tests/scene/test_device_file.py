@@ -42,7 +42,7 @@ def test_a_range_of_rotary_arms(tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [
-        ("inertia", 'mass = "1 kg"\ninertia', "inertia: '200 kg mm^2' beside mass='1 kg' is not"),
+        ("inertia", 'mass = "1 kg"\ninertia', "inertia: '200 kg mm^2' and mass='1 kg' excl"),
         ('"0.5 N m/turn"', '"5 N/m"', ":10: K: '5 N/m' is not allowed; give a number and a unit"),
         ("[arm]\ninertia", "[arm]\nmass", ":6: mass: '1e-5 kg m^2' is not allowed; give a number"),
         ('"1 kHz"', '"1000 rad/s"', ":3: sampling_rate: '1000 rad/s' is not allowed; give a freq"),
@@ -51,7 +51,7 @@ def test_a_range_of_rotary_arms(tmp_path):
         ("[arm]", "[arms]\nmass = 1\n[arm]", "inertia: is missing; the device has the inertia"),
         ("sampling_rate", "sampling_period", ":3: sampling_period: '1 kHz' is not allowed; give "),
         ("sampling_rate", "delay", "device.toml: sampling_period is missing, such as sampling_pe"),
-        ("[arm]", 'sampling_period = "1 ms"\n[arm]', ":3: sampling_rate: '1 kHz' beside sampling"),
+        ("[arm]", 'sampling_period = "1 ms"\n[arm]', ":3: sampling_rate: '1 kHz' and sampling"),
     ],
 )
 def test_what_does_not_go_together_is_refused_on_one_line(old, new, told, tmp_path):

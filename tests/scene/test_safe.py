@@ -128,7 +128,7 @@ def test_a_masked_wall_is_not_said_to_be_safe():
     [
         (lambda: ArmRange(mass=(2, 1)), r"mass: \(2, 1\) is not allowed; the lowest comes first"),
         (lambda: ArmRange(mass=(1, 2, 3)), "mass: .* a number or"),
-        (lambda: ArmRange(damping=1, damping_per_mass=2), "damping_per_mass: 2 beside damping=1"),
+        (lambda: ArmRange(damping=1, damping_per_mass=2), "damping_per_mass: 2 and damping=1"),
         (lambda: ArmRange(damping=np.array([1, 2])), r"damping: array\(\[1, 2\]\) is not allowed"),
         (lambda: ArmRange(mass=(0, None)), "mass: None is not allowed; give finite numbers >= 0"),
         (lambda: ArmRange(stiffness=(0, float("inf"))), "stiffness: inf is not allowed"),
@@ -141,7 +141,7 @@ def test_a_masked_wall_is_not_said_to_be_safe():
             lambda: Scene.of("Phantom Premium 1.5", sampling_period=1).safe_walls("all"),
             "arm: 'all' is not allowed; give an ArmRange",
         ),
-        (lambda: ArmRange.around([Arm.of("Daniel et al.")]), "arms: one that was measured with"),
+        (lambda: ArmRange.around([Arm.of("Daniel et al.")]), "arms: one was measured together"),
         (lambda: phantom().best_damping(1e5), "K: 100000.0 is not allowed"),
         (lambda: phantom().delay_margin(1e5, 3.0), "K: 100000.0 with B=3.0 is not proved safe"),
     ],

@@ -263,8 +263,8 @@ def test_periods_of_a_rate_count_as_whole():
     [
         ({"mass": 1}, "sampling_period: is missing; give sampling_period or sampling_rate"),
         ({"sampling_rate": 1}, "mass: is missing; give mass or inertia"),
-        ({"mass": 1, "inertia": 1, "sampling_rate": 1}, "inertia: 1 beside mass=1 is not allowed"),
-        ({"mass": 1, "sampling_period": 1, "sampling_rate": 1}, "sampling_rate: 1 beside sampl"),
+        ({"mass": 1, "inertia": 1, "sampling_rate": 1}, "inertia: 1 and mass=1 exclude each other"),
+        ({"mass": 1, "sampling_period": 1, "sampling_rate": 1}, "sampling_rate: 1 and sampl"),
         ({"mass": 1, "sampling_rate": 0}, "sampling_rate: 0 is not allowed; give finite numbers"),
         ({"mass": 1, "sampling_rate": "1 s"}, "sampling_rate: '1 s' is not allowed; give a number"),
         ({"mass": 1, "sampling_rate": 1e-310}, "sampling_period: inf is not allowed"),

@@ -135,7 +135,7 @@ def test_a_picture_fits_a_column_with_fonts_that_journals_take(tmp_path):
 
 
 def test_half_a_wall_is_refused():
-    with pytest.raises(ValueError, match=r"K: 3.0 with B=None is not allowed"):
+    with pytest.raises(ValueError, match=r"K: 3.0 with B=None is no wall"):
         Scene(**SCENE).plot(K=3.0)
 
 

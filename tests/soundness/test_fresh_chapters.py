@@ -22,6 +22,7 @@ from symhaptic.notation.proposition import (
     Implies,
     Not,
     Or,
+    Predicate,
     Relation,
     implied,
     proposition,
@@ -220,6 +221,9 @@ TWO_WAYS = (
     "x(T - t_d) = x",
     r"v\left(kT\right) = 0",
     "F_E(kT) = 0",
+    # a derivative, or a power
+    "x^{(2)} = 0",
+    r"\sin x^{(d+1)}",
     # in the function before, or a factor beside it
     r"\cos\theta(1+x)",
     r"\cos\theta[1+x]",
@@ -363,6 +367,15 @@ SOURCES = {
         "claim": 'ForAll((symbols("x"),), Relation(S(0), "<=", symbols("x")**2))',
         "chapter": 'page.settle("odd:a", known("square"))',
     },
+    "a number that is shown of itself": {
+        "statement": 'quoted=(Quoted("about", "17.8"),)',
+        "claim": 'ForAll((symbols("x"),), Relation(S(0), "<=", symbols("x")**2))',
+        "chapter": 'page.settle("odd:a", known("square"), value=Rational(178, 10))',
+    },
+    "the same beside an equation": {
+        "statement": '("1 = 1",), quoted=(Quoted("about", "5"),)',
+        "chapter": 'page.settle("odd:a", Eq(1, 1, evaluate=False), value=S(5))',
+    },
     "ln 1 = 5": {"statement": r'(r"\ln 1 = 5",), reading=("5 = 5",)'},
     "5 = ln 1": {"statement": r'(r"5 = \ln 1",), reading=("1 = 1",)'},
     "ln K = 2": {"statement": r'(r"\ln K = 2",), reading=("K = K",)'},
@@ -469,6 +482,14 @@ SOURCES = {
         "statement": r'(r"2K = \frac{34b}{T}",)',
         "chapter": 'page.define("Wall", K, 17*b/T)\npage.settle("odd:a")',
     },
+    "a definition of the device": {
+        "statement": r'(r"K = \frac{17b}{T}",)',
+        "chapter": 'page.define("Damper", b, K*T/17)\npage.settle("odd:a")',
+    },
+    "a definition turned": {
+        "statement": '("2F = 34xw",)',
+        "chapter": 'page.define("Force", F, 17*x*w)\npage.settle("odd:a")',
+    },
     "1 = 1 and 0 = 1": {"statement": '("1 = 1", "0 = 1")'},
     "data outside": {
         "statement": '("0 = 1",)',
@@ -522,8 +543,17 @@ def test_a_claim_does_not_suppose_its_print_in_another_form(name):
         page.settle("mine", known("square"))
 
 
-@pytest.mark.parametrize("then", [whole(0), whole(d), And((whole(d), whole(0)))])
-def test_that_a_number_is_whole_makes_no_condition_of_a_print(then):
+@pytest.mark.parametrize(
+    "then",
+    [
+        whole(0),
+        whole(d),
+        And((whole(d), whole(0))),
+        Predicate("degree", (z,), (z + K, S.One)),
+        Predicate("passive_wall", (), (S.Zero, S.Zero, b, S.One, d)),
+    ],
+)
+def test_what_judges_no_wall_of_the_print_makes_no_condition_of_it(then):
     page = Page("test")
     page.state(
         "mine", "no wall", "K < 0", claim=ForAll((K,), implied([K < 0], then)), condition=True

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from types import SimpleNamespace
 
 import pytest
 import sympy as sp
 from sympy import Ne, Rational, S, cos, exp, pi, sin, symbols
+from sympy.core.function import AppliedUndef
 
 from symhaptic.notation.proposition import (
     FALSE,
@@ -23,8 +25,10 @@ from symhaptic.notation.proposition import (
     whole,
 )
 from symhaptic.notation.terms import NoTerm, term
+from symhaptic.proof.certificate import Positive
 from symhaptic.proof.theorems import kernel, tactics
 from symhaptic.proof.theorems.definedness import conditions, real
+from symhaptic.proof.theorems.definitions import loop
 from symhaptic.proof.theorems.derivation import leaves_of
 from symhaptic.proof.theorems.familiar import ordered, square
 from symhaptic.proof.theorems.kernel import (
@@ -53,7 +57,9 @@ from symhaptic.proof.theorems.leaves import (
     combined,
     identity,
     number,
+    on_box,
 )
+from symhaptic.proof.theorems.roots import first_minors
 from symhaptic.proof.theorems.tactics import denied
 
 x, y, z = symbols("x y z")
@@ -357,3 +363,77 @@ def test_only_what_a_rule_made_is_a_theorem(rule):
     made = SimpleNamespace(hypotheses=frozenset(), conclusion=FALSE)
     with pytest.raises(NotShown, match="is no theorem"):
         rule(made)
+
+
+class Twice(Sequence[S]):
+    """Says something else when it is read again."""
+
+    def __init__(self, *ways):
+        self.ways = list(ways)
+
+    def __len__(self):
+        return len(self.ways[0])
+
+    def __getitem__(self, at):
+        return self.ways[0][at]
+
+    def __iter__(self):
+        return iter(self.ways.pop(0) if len(self.ways) > 1 else self.ways[0])
+
+
+def test_what_a_rule_is_given_is_read_once():
+    """A loop without a wall, and one with 5: they are not stable together."""
+    values = Twice((0, 0, 1, 1, 0), (5, 0, 1, 1, 0))
+    assert loop(values, z) is loop((0, 0, 1, 1, 0), z)
+
+
+class Changing(Positive):
+    """Says first that it is of -1, and then of 1."""
+
+    def __getattribute__(self, name):
+        told = object.__getattribute__(self, "__dict__")
+        if name == "expr":
+            told["asked"] = told.get("asked", 0) + 1
+            return told["expr"] if told["asked"] > 1 else S.NegativeOne
+        return object.__getattribute__(self, name)
+
+
+class Anything(And):
+    """Says of itself that it is equal to everything."""
+
+    def __eq__(self, other):
+        return True
+
+    __hash__ = And.__hash__
+
+
+class Count(int):
+    """Says that its double is more."""
+
+    def __rmul__(self, other):
+        return 10
+
+
+class Unknown(AppliedUndef):
+    """An unknown function that knows something of itself."""
+
+
+class Number(sp.Integer):
+    """A number of its own."""
+
+
+@pytest.mark.parametrize(
+    "made",
+    [
+        lambda: on_box(Changing(S.One, {x: (S.Zero, S.One)}, ".", 96)),
+        lambda: disch(assume(FALSE), Anything(())),
+        lambda: assume(Or((Anything(()), FALSE))),
+        lambda: assume(ForAll((x,), Anything(()))),
+        lambda: first_minors(assume(Predicate("stable", (z,), (z + x,))), Count(1)),
+        lambda: identity(Unknown(x), Unknown(x)),
+        lambda: identity(Number(5), S(5)),
+    ],
+)
+def test_a_class_of_ones_own_says_nothing_to_a_rule(made):
+    with pytest.raises((NotShown, NoTerm)):
+        made()

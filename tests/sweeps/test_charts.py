@@ -10,7 +10,10 @@ from symhaptic import Scene
 pytest.importorskip("xarray", reason="no xarray here: no sweeps")
 pytest.importorskip("matplotlib", reason="no Matplotlib here: no charts")
 
-from symhaptic.sweeps import charts
+from matplotlib.figure import Figure
+from xarray import DataArray
+
+from symhaptic.sweeps import charts, drawing
 
 SCENE = Scene(mass=0.6, damping=6.0, stiffness=800.0, sampling_period=1e-3, delay=1e-3)
 FEW = {
@@ -121,3 +124,17 @@ def test_charts_of_a_rotary_device_have_its_units():
     title = charts.robust_limits(knob, points=12).axes[0].get_title(loc="left")
     assert title == "$k$ = 0 to 0.1 N m/rad, $b$ = 0 to 0.002 N m s/rad"
     assert charts.stiffest(knob, points=12).axes[0].get_ylabel().endswith(" in N m s/rad")
+
+
+def test_colours_reach_from_the_least_to_the_largest_and_stay_beyond():
+    """Infinite values have the colour of the largest; nothing is left white."""
+    values = DataArray([[1.0, 40.0], [2.0, np.inf]], dims=("y", "x"))
+    figure, axes = Figure(), None
+    axes = figure.add_subplot()
+    x, y = (DataArray([0.0, 1.0], dims=name) for name in "xy")
+    drawing.filled(figure, axes, x, y, values, "K")
+    low, high = figure.axes[1].get_ylim()
+    assert low <= 1
+    assert high >= 40
+    last = axes.collections[0].get_paths()[-1]
+    assert last.contains_point((0.999, 0.999))

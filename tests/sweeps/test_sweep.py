@@ -25,6 +25,7 @@ from symhaptic import (
     sweep,
 )
 from symhaptic.forms.stable import STATEMENTS as FORMS
+from symhaptic.sweeps import work
 from symhaptic.sweeps.quantities import QUANTITIES
 
 xarray = pytest.importorskip("xarray", reason="no xarray here: no sweeps")
@@ -170,7 +171,9 @@ def test_pint_is_converted_and_checked():
     scene = Scene(mass=0.1, damping=0.5, sampling_period=1e-3)
     found = sweep("is_stable", scene, K=[1.0, 2.0] * unit("N/mm"), B=5.0)
     assert found.K.to_numpy().tolist() == [1000.0, 2000.0]
-    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; give what converts to N/m$"):
+    with pytest.raises(
+        ValueError, match=r"^K: .+ is not allowed; give a quantity that converts to N/m$"
+    ):
         sweep("is_stable", scene, K=[1.0] * unit("N"), B=5.0)
     with pytest.raises(ValueError, match=r"^gamma: .+; give a number without dimension$"):
         sweep("max_stable_stiffness", gamma=[1.0] * unit("N"), delta=0.0, delay=0.0)
@@ -353,18 +356,18 @@ def labelled(values, **labels):
 
 
 REFUSED = [
-    ({"alhpa": 1.0}, r"^alhpa: is not allowed; did you mean 'alpha'"),
+    ({"alhpa": 1.0}, r"^alhpa: this quantity has no such argument; did you mean 'alpha'"),
     ({"alpha": []}, r"^alpha: no values are not allowed"),
     ({"gamma": [0.1, -0.2]}, r"^gamma: -0.2 is not allowed"),
     ({"alpha": np.zeros((2, 2))}, r"^alpha: 2 dimensions are not allowed"),
     ({"alpha": np.ma.MaskedArray([1.0], mask=[True])}, r"^alpha: .+without masks"),
     ({"over": "gama", "reduce": "all"}, r"^over: 'gama' is not allowed"),
-    ({"over": "gamma"}, r"^over: .+both or none"),
+    ({"over": "gamma"}, r"^over: .+both or neither"),
     ({"over": "gamma", "reduce": "min"}, r"^reduce: 'min' of is_stable is not allowed"),
     ({"over": "gamma", "reduce": "median"}, r"^reduce: 'median' is not allowed"),
     ({"over": ("gamma", "gamma"), "reduce": "all"}, r"^over: .+ each dimension once"),
     ({"alpha": xarray.Variable("x", [0.1])}, r"^alpha: .+ xarray's DataArrays"),
-    ({"alpha": xarray.DataArray([0.1], dims="is_stable")}, r"^is_stable: a dimension or coord"),
+    ({"alpha": xarray.DataArray([0.1], dims="is_stable")}, r"^is_stable: a result has the name"),
     ({"alpha": labelled([0.1, 0.2], x=[1, 2]), "beta": labelled([0.1, 0.2], x=[2, 1])},
      r"^beta: its labels 'x' are not allowed; another argument has others"),
     ({"alpha": labelled([0.1, 0.2], x=[1, 2], beta=[3, 4]), "beta": 0.4},
@@ -373,7 +376,7 @@ REFUSED = [
     ({"chunks": {"x": 1}}, r"^chunks: 'x' is not allowed"),
     ({"on": "clouds"}, r"^on: 'clouds' is not allowed"),
     ({"to": "here.csv"}, r"^to: 'here.csv' is not allowed"),
-    ({"to": "here.zarr", "lazy": True}, r"^lazy: True beside to="),
+    ({"to": "here.zarr", "lazy": True}, r"^lazy: True and to="),
 ]  # fmt: skip
 
 
@@ -399,7 +402,7 @@ def test_other_mistakes():
         sweep("is_stabel")
     with pytest.raises(ValueError, match=r"^delta: is missing; max_stable_stiffness takes"):
         sweep("max_stable_stiffness", gamma=0.0, delay=1.0)
-    with pytest.raises(ValueError, match=r"^scene: is not allowed with"):
+    with pytest.raises(ValueError, match=r"^scene: your function"):
         sweep(passive_share, Scene(mass=1.0, sampling_period=1.0), alpha=1.0, beta=1.0)
     one = xarray.DataArray([0.1, 0.2], dims="x")
     with pytest.raises(ValueError, match=r"^beta: 3 values along 'x' are not allowed; give 2"):
@@ -413,7 +416,7 @@ def test_other_mistakes():
     [
         ({"K": "1"}, "K: '1' is not allowed; give a number and a unit"),
         ({"sheet": 3}, "sheet: 3 is not allowed; give 'exact' or 'principal'"),
-        ({"sheets": "exact"}, "sheets: is not allowed; give one of K, B"),
+        ({"sheets": "exact"}, "sheets: this quantity has no such argument; give one of K, B"),
         ({"scene": "device"}, "scene: 'device' is not allowed; give a Scene"),
         ({"over": 3, "reduce": "all"}, "over: 3 is not allowed; give a word or several"),
         ({"over": "K", "reduce": [3]}, r"reduce: \[3\] is not allowed; give a word or several"),
@@ -503,7 +506,14 @@ def test_a_rotary_scene_is_swept_in_its_units(tmp_path):
     ]
     stored = sweep("passivity_margin", knob, K=[0.1, 1.0], B=0.0, to=tmp_path / "knob.parquet")
     assert stored.passivity_margin.attrs["units"] == "N m s/rad"
-    with pytest.raises(ValueError, match="mass: is not allowed; "):
+    with pytest.raises(ValueError, match="mass: this quantity has no such argument; "):
         sweep("limit_at", knob, B=[0.0], mass=[1.0])
     with pytest.raises(ValueError, match="K: '1 N/m' is not allowed; give a number and a unit"):
         sweep("is_stable", knob, K="1 N/m", B=0.0)
+
+
+def test_a_bar_of_a_sweep_that_goes_on_begins_where_it_was(capsys, monkeypatch):
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True)
+    with ThreadPoolExecutor(1) as pool:
+        assert sorted(work.done(pool, str, [1, 2], 2, 5)) == ["1", "2"]
+    assert "3/5" in capsys.readouterr().err

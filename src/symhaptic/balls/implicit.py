@@ -14,13 +14,7 @@ import flint
 from flint import arb, arb_series
 
 from symhaptic.balls import closed, winding
-from symhaptic.balls.closed import (
-    HALF,
-    SHORT,
-    periods,
-    required_damping,
-    required_damping_at,
-)
+from symhaptic.balls.closed import HALF, SHORT, periods, required_damping, required_damping_at
 from symhaptic.balls.zeros import narrowed
 
 _MANY = 40

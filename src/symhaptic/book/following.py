@@ -16,7 +16,7 @@ import sympy as sp
 from sympy import Expr, Symbol
 from sympy.core.function import AppliedUndef
 
-from symhaptic.notation import B, K, alpha, beta
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m, t_d
 from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import (
     ForAll,
@@ -44,9 +44,9 @@ from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 Definition: TypeAlias = tuple[Expr, Expr]
 """A name (a symbol, or an unknown function of something) and what it stands for."""
 
-WALL = frozenset({K, B, alpha, beta})
-"""Numbers of the wall, which the model takes as they come: a formula that defines one of them says
-nothing about which walls are stable or passive."""
+GIVEN = frozenset({K, B, alpha, beta, m, b, k, gamma, delta, T, t_d, d})
+"""Numbers of the wall, the device and the loop, which the model takes as they come: a formula that
+defines one of them says nothing about which walls are stable or passive."""
 
 _TRIED = 40
 """Points that are tried as an example and as a counterexample."""
@@ -69,16 +69,15 @@ class Print:
 
     @property
     def is_definition(self) -> bool:
-        """Whether a printed equation is one of the definitions, or a number of the wall is defined.
+        """Whether a printed equation says no more than one of the definitions, or a number of the
+        model is defined.
 
-        Neither is a result: the first is what the chapter assumes, the second restricts the wall.
+        Neither is a result: the first is what the chapter assumes, the second restricts the model.
         """
-        meanings = dict(self.used)
-        for one, other in ((r.left, r.right) for r in self.printed):
-            for name, side in ((one, other), (other, one)):
-                if name in meanings and _same(meanings[name], side):
-                    return True
-        return not WALL.isdisjoint(meanings)
+        open_ = (r for r in self.printed if not _same(*r.terms))
+        pairs = itertools.product(open_, self.used)
+        restated = any(_same(*_put(r, {name: means}).terms) for r, (name, means) in pairs)
+        return restated or not GIVEN.isdisjoint(name for name, _ in self.used)
 
     @cached_property
     def stages(self) -> list[tuple[Relation, ...]]:

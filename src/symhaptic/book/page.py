@@ -25,7 +25,7 @@ from symhaptic.notation.terms import NoTerm
 from symhaptic.paper import Statement
 from symhaptic.paper.reading import Printed, Unreadable, read
 from symhaptic.proof.enclosed import Source
-from symhaptic.proof.settle import Settlement
+from symhaptic.proof.settle import Settlement, stands_in
 from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.theorems.judge import Case, Judged, concludes, of_print, taken_apart
 from symhaptic.proof.theorems.kernel import NotShown, Theorem, conj
@@ -129,7 +129,7 @@ class Page(Steps):
             judged,
             self.claimed.get(id) or CLAIMED.get(id),
             forms,
-            values=self._quoted(value),
+            values=self._quoted(value, statement, judged.theorem.conclusion),
             quoted=statement.quoted,
             note=note,
             meant=self._meant,
@@ -195,7 +195,7 @@ class Page(Steps):
         settlement = Settlement(
             judged,
             claim,
-            values=self._quoted(value),
+            values=self._quoted(value, statement, claimed.claim),
             quoted=statement.quoted,
             note=note,
             definitions=used,
@@ -209,9 +209,14 @@ class Page(Steps):
             raise FalseStep(f"no statement {id!r}")
         return statement
 
-    def _quoted(self, value: Source | Sequence[Source] | None) -> tuple[Expr, ...]:
-        """The numbers that a text quotes, as expressions."""
+    def _quoted(
+        self, value: Source | Sequence[Source] | None, statement: Statement, shown: Proposition
+    ) -> tuple[Expr, ...]:
+        """The numbers that a text quotes, as expressions; a number that only the chapter gives
+        shows nothing."""
         values = () if value is None else value if isinstance(value, Sequence) else (value,)
+        if values and (unsaid := [q for q in statement.quoted if not stands_in(shown, q)]):
+            raise FalseStep(f"{statement.id}: {unsaid[0].digits} does not stand in what is shown")
         return tuple(v if isinstance(v, Expr) else self._shown(v) for v in values)
 
     def settle_external(self, id: str, rests: str, checked: str, *follows: Form) -> Verdict:

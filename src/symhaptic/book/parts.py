@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -139,3 +140,12 @@ def numbers() -> Mapping[str, int]:
     """Number of each chapter of the book, by its name."""
     names = in_parts([path.stem for path in shipped()], lambda name: name)
     return {name: number for number, name in enumerate(names, 1)}
+
+
+@cache
+def titles() -> Mapping[str, str]:
+    """Title of each chapter of the book, by its name, without running it."""
+    texts = {path.stem: ast.parse(path.read_text(encoding="utf-8")) for path in shipped()}
+    return {
+        name: (ast.get_docstring(tree) or name).partition("\n")[0] for name, tree in texts.items()
+    }

@@ -26,10 +26,7 @@ class Arc:
 
     def __init__(self, stiffness: Expr, damping: Expr, delay: int) -> None:
         self.delay, self.form = delay, linear.arc(delay)
-        self.exact = {
-            **(UNSPRUNG if stiffness == 0 else {}),
-            **(UNDAMPED if damping == 0 else {}),
-        }
+        self.exact = {**(UNSPRUNG if stiffness == 0 else {}), **(UNDAMPED if damping == 0 else {})}
         point = {gamma: stiffness, delta: damping}
         known: dict[Expr, Expr | acb | arb] = {
             name: ball(value, None, BITS)

@@ -121,7 +121,7 @@ def _published_envelope(theta: Any, delta: Any, d: Any) -> tuple[Any, ...]:
 
 
 def _if_damped(count: Callable[..., Any]) -> Callable[..., tuple[Any, ...]]:
-    """Nothing of a device that makes whole half swings in a period, to a rounding, undamped.
+    """Nothing of a device that makes whole half oscillations in a period, to a rounding, undamped.
 
     Of that one no wall is stable.
     """
@@ -339,7 +339,7 @@ def _softer(at: At) -> At:
 
 
 def _just_passive(at: At) -> At:
-    """Angles up to the one at which the boundary ends, for whole delays."""
+    """Angles up to the one at which the boundary ends, for integer delays."""
     name = "theta" if "theta" in at else "omega"
     return _in_si(at | {name: at[name] / (at["d"] + 1)})
 
@@ -536,8 +536,6 @@ for _id, (_name, _other) in _ALSO.items():
     _found = replace(CHECKED[_name], id=_id, **_other)
     if "d" in _found.arguments:
         _found = replace(
-            _found,
-            arguments={**_found.arguments, "d": WHOLE},
-            open=(*_found.open, _NO_FRACTION),
+            _found, arguments={**_found.arguments, "d": WHOLE}, open=(*_found.open, _NO_FRACTION)
         )
     CHECKED[_id] = _found

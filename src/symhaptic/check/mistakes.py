@@ -148,7 +148,7 @@ def _written(checked: Checked) -> Iterator[tuple[str, Sequence[Expr]]]:
         return
     printed, called = _print(checked), f"({checked.printed.removeprefix('eq')})"
     whole = [name for name, argument in checked.arguments.items() if argument.whole]
-    yield f"this is {called} as printed; see the erratum of {checked.printed}", printed
+    yield f"this is {called} as published; see the erratum of {checked.printed}", printed
     for form in (printed, *also(checked.printed, printed)):
         for said, change in changes(whole):
             changed = [change(e) for e in form]
@@ -359,4 +359,4 @@ def _undefined(checked: Checked, nothing: Sequence[Point]) -> Iterator[str]:
         yield "NaN where the device swings: a real square root of delta^2 - 4 gamma"
     elif all(not np.isfinite(np.asarray(v)).any() for v in values[:1]):
         called = f"({checked.printed.removeprefix('eq')})"
-        yield f"0/0 where {called} as printed is 0/0; see the erratum of {checked.printed}"
+        yield f"0/0 where {called} as published is 0/0; see the erratum of {checked.printed}"

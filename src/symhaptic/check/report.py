@@ -202,7 +202,7 @@ class _Kind(NamedTuple):
     arguments: str
     inside: Callable[..., Any]
     fractional: bool = False
-    """Whether they have fractional delays: a formula for whole delays has no such points."""
+    """Whether they have fractional delays: a formula for integer delays has no such points."""
 
 
 _KINDS = tuple(_Kind(*kind) for kind in (

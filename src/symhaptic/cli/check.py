@@ -59,8 +59,7 @@ def check(
         ),
     ] = None,
     ulp: Annotated[
-        float,
-        typer.Option("--ulp", metavar="N", help="Largest error, in units in the last place."),
+        float, typer.Option("--ulp", metavar="N", help="Largest error, in units in the last place.")
     ] = 8,
     points: Annotated[
         int | None,
@@ -80,8 +79,7 @@ def check(
         float, typer.Option("--timeout", metavar="S", help="Time limit of your function in s.")
     ] = 60,
     memory: Annotated[
-        float,
-        typer.Option("--memory", metavar="GIB", help="Memory limit of your function in GiB."),
+        float, typer.Option("--memory", metavar="GIB", help="Memory limit of your function in GiB.")
     ] = 4,
     arguments: Annotated[
         str | None,

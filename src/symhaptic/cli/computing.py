@@ -73,8 +73,7 @@ def trace(
         str, typer.Option("--delay", metavar="d", help="Delay in periods, may be fractional.")
     ],
     format: Annotated[
-        TraceFormat | None,
-        typer.Option("--format", help="Default: the ending of FILE, or csv."),
+        TraceFormat | None, typer.Option("--format", help="Default: the ending of FILE, or csv.")
     ] = None,
     output: Annotated[
         Path | None, typer.Option("-o", metavar="FILE", help="Write to FILE, not to the screen.")
@@ -207,8 +206,7 @@ def export(
         bool, typer.Option("--whole-delays", help="Export code for integer delays only.")
     ] = False,
     precision: Annotated[
-        str | None,
-        typer.Option("--precision", help="double, or single if the language has it."),
+        str | None, typer.Option("--precision", help="double, or single if the language has it.")
     ] = None,
     derivative: Annotated[
         list[str] | None,

@@ -117,7 +117,7 @@ def asked(
     into = ENDINGS.get(ending) if ending else given
     if into is None:
         every = ", ".join(f".{name}" for name in ENDINGS)
-        refuse(f"-o {output}: {output.suffix!r} is not allowed; give {every}")
+        refuse(f"-o {output}: the ending {output.suffix!r} is not allowed; give one of {every}")
     if given not in (None, into) and (given in DRAWN or into not in DRAWN):
         refuse(f"-o {output}: does not end as --format {given} does; give .{given}, or none")
     return plain or (LimitsFormat.text if into in DRAWN else into), into

@@ -10,23 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from symhaptic.cli.given import (
-    Derivations,
-    SourceFolder,
-    chapters_in,
-    own_chapters,
-    read,
-    told_bad,
-)
-from symhaptic.cli.shared import (
-    app,
-    folder_allowed,
-    only_listed,
-    progress,
-    refuse,
-    writable,
-    write,
-)
+from symhaptic.cli.given import Derivations, SourceFolder, chapters_in, own_chapters, read, told_bad
+from symhaptic.cli.shared import app, folder_allowed, only_listed, progress, refuse, writable, write
 from symhaptic.notation.suggest import suggested
 
 if TYPE_CHECKING:
@@ -82,14 +67,12 @@ def verify(
         ),
     ] = False,
     workers: Annotated[
-        int | None,
-        typer.Option(min=1, metavar="N", help="Number of processes. Default: up to 4."),
+        int | None, typer.Option(min=1, metavar="N", help="Number of processes. Default: up to 4.")
     ] = None,
     derivation: Derivations = None,
     source: SourceFolder = None,
     listed: Annotated[
-        bool,
-        typer.Option("--list", help="List the statements with their places and contents."),
+        bool, typer.Option("--list", help="List the statements with their places and contents.")
     ] = False,
     rocq: Annotated[
         Path | None,

@@ -1,7 +1,7 @@
 """The package's own kernels: what the exporter writes for arrays and in C, committed.
 
 ``kernels/ufuncs.cpp`` makes NumPy's ufuncs from the C; this module writes the table that it needs.
-``kernels/filter.cpp`` is what they ask before the C.
+``kernels/filter.cpp`` is what they ask before the C, ``kernels/delay.cpp`` finds delay margins.
 """
 
 from __future__ import annotations
@@ -29,7 +29,10 @@ _REMARK = "/* Written by `symhaptic kernels` from the stable forms; do not edit.
 
 _WRITTEN = ("*.py", "*.pyi", "*.c", "table.h")
 
-_BY_HAND = [FOLDER / name for name in ("ufuncs.cpp", "filter.cpp", "filter.h")]
+_BY_HAND = [
+    FOLDER / name
+    for name in ("ufuncs.cpp", "filter.cpp", "filter.h", "delay.cpp", "ordinary.cpp", "ordinary.h")
+]
 
 _INSIDE = ("LateDevice",)
 """Routines of the library that are ufuncs, too, for callers that have checked the ranges."""
@@ -46,10 +49,10 @@ _OF_NUMBERS = (
 _ABOUT = '''"""How does a call compute?  The stable forms as generated code, which imports nothing.
 
 `haptic.c` has the functions in C; `ufuncs.cpp`, written by hand, calls them in a loop over arrays,
-and `table.h` lists them for it.  `filter.cpp` judges most walls before.  ``haptic`` has the same
-functions for arrays of any library, ``scalar`` some for floats.  `symhaptic kernels` writes all
-but `ufuncs.cpp` and `filter.*` from the routines of `export/routines`.  Imports nothing; used by
-``numeric``.
+and `table.h` lists them for it.  `filter.cpp` judges most walls before, and `delay.cpp` finds
+most delay margins.  ``haptic`` has the same functions for arrays of any library, ``scalar`` some
+for floats.  `symhaptic kernels` writes all but these three and `filter.h` from the routines of
+`export/routines`.  Imports nothing; used by ``numeric``.
 """
 
 STAMP = "%s"

@@ -148,7 +148,7 @@ function varargout = elementwise(one, names, varargin)
   for k = 1:numel(varargin)
     x = varargin{k};
     if ~(isnumeric(x) || islogical(x)) || ~isreal(x)
-      error('%s: is not allowed; give real numbers', names{k});
+      error('%s: not a real number; give real numbers', names{k});
     elseif numel(x) ~= 1 && isequal(wide, [1 1])
       wide = size(x);
     elseif numel(x) ~= 1 && ~isequal(wide, size(x))

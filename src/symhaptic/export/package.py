@@ -251,7 +251,7 @@ _HEADER = """\
 #include "%(name)s.h"
 
 %(strict)s
-/* A device behind a delay, in SI units. */
+/* A device with a delay, in SI units. */
 typedef struct {
 %(members)s
 } %(name)s_device;
@@ -315,7 +315,7 @@ static %(real)s pushed_into(const %(real)s K, const %(real)s B, const int period
     for (i = 0; i < periods; ++i) {
         const %(real)s now = read_position();
         const %(real)s force = -K*now - B*(now - last)/device.T;
-        write_force(late); /* which is one period late */
+        write_force(late); /* which is delayed by one period */
         late = force;
         last = now;
         if (i >= periods - 100) farthest = fmax%(f)s(farthest, fabs%(f)s(now));

@@ -164,7 +164,7 @@ _CALLS = (Entire, Compensated, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.t
 def _with_parts(user: Routine) -> Routine:
     """The routine with whole periods and fraction of the delay as steps of its own.
 
-    Beside a whole delay the fraction is 1/2 where another branch counts.
+    Beside a integer delay the fraction is 1/2 where another branch counts.
     """
     kinds = WholePart, FractionalPart, SomePart
     asked = set().union(*(e.atoms(*kinds) for e in user.expressions))
@@ -475,7 +475,7 @@ def with_late_device(form: Form) -> Form:
     return replace(form, results=tuple(zip(names, found, strict=True)))
 
 
-# -- A loop without a spring behind a whole delay, with one call for the verdict -----------------
+# -- A loop without a spring behind a integer delay, with one call for the verdict -----------------
 
 
 def with_free_verdict(form: Form) -> Form:

@@ -17,6 +17,15 @@ _GUARD = 2.0**-12
 """A truncated series may miss this part of half a last place."""
 
 
+def _single(value: float) -> str:
+    """The decimals of a float32, the same with every NumPy, whose own have changed."""
+    kind = np.float32(value)
+    size = abs(float(kind))
+    if size >= 1e6 or 0 < size < 1e-4:
+        return np.format_float_scientific(kind, unique=True, trim="-")
+    return np.format_float_positional(kind, unique=True, trim="0")
+
+
 @dataclass(frozen=True)
 class Precision:
     """A binary format of floats."""
@@ -101,7 +110,7 @@ class Precision:
 
     def written(self, value: float) -> str:
         """The shortest decimals that read back as the same float."""
-        text = repr(float(value)) if self.bits == 53 else str(self.kind(value))
+        text = repr(float(value)) if self.bits == 53 else _single(value)
         text = text if any(c in text for c in ".en") else f"{text}.0"
         power = f"{value:g}"
         return power if "e+" in power and float(power) == value else text

@@ -146,7 +146,7 @@ def _formulas(form: Form) -> list[str]:
     whole = [(name, _side(expr, 0).xreplace({WholePart(d): d})) for name, expr in form.results]
     parted = {WholePart(d): l, SomePart(d): epsilon, FractionalPart(d): epsilon}
     late = [(name, _side(expr, 1).xreplace(parted)) for name, expr in form.results]
-    return ["For whole delays:", "", *_written(whole), "",
+    return ["For integer delays:", "", *_written(whole), "",
             "Behind a fraction of a period, d = l + epsilon:", "", *_written(late)]  # fmt: skip
 
 

@@ -69,20 +69,20 @@ def chosen(
 ) -> list[Form]:
     """The forms of these names, or of these formulas of the paper; all of the scene if none.
 
-    For whole delays alone where that is asked.
+    For integer delays alone where that is asked.
     With derivatives by these arguments, where any are named; of all forms, by those that each has.
     """
     if delay is not None and not 0 <= delay <= _LONGEST:
         raise Refused(f"--delay {delay}: is out of range; give an integer from 0 to {_LONGEST}")
     if delay is not None and not parts.delay:
-        raise Refused(f"--delay {delay}: is not allowed with a scene that has no delay")
+        raise Refused(f"--delay {delay}: the scene has no delay; leave --delay out")
     if delay is not None and not any(_is_for_one_delay(n) for n in names or stable.FOR_ONE_DELAY):
         raise Refused(
             f"--delay {delay}: changes nothing for {', '.join(names)}; give it with "
             f"{', '.join(stable.FOR_ONE_DELAY)}"
         )
     if whole_delays and not parts.delay:
-        raise Refused("--whole-delays: is not allowed with a scene that has no delay")
+        raise Refused("--whole-delays: the scene has no delay; leave --whole-delays out")
     periods = (1 if delay is None else delay) if parts.delay else None
     if not names:
         every = list(stable.forms(parts, periods))

@@ -40,7 +40,7 @@ class Goal:
     text: str
     """For Gappa."""
     whole: bool = False
-    """Whether it is of whole delays only."""
+    """Whether it is of integer delays only."""
 
     def at(self, bound: Fraction) -> str:
         """The same goal with another bound."""
@@ -60,7 +60,7 @@ class Goal:
 def goals(routine: Routine, target: Target) -> list[Goal]:
     """What Gappa proves of a public routine: of each result that is rounded on a straight way.
 
-    Of one that chooses between whole delays and others, it is the result of a whole delay.
+    Of one that chooses between integer delays and others, it is the result of a integer delay.
     """
     found: list[Goal] = []
     if not target.proves:
@@ -84,7 +84,7 @@ def _straight(
 ) -> tuple[dict[str, sp.Expr], dict[str, str], tuple[sp.Basic, ...], bool]:
     """The steps of the one way that is taken inside the domain, by name; what is given; the end.
 
-    Last stands whether it is the way of whole delays.
+    Last stands whether it is the way of integer delays.
     """
     steps: dict[str, sp.Expr] = {}
     meant: dict[sp.Basic, sp.Expr] = {}
@@ -170,7 +170,7 @@ def told(found: list[Goal], precision: Precision) -> list[str]:
     for goal in found:
         values = f"value{'s' * (len(goal.given) > 1)} of {', '.join(goal.given)}"
         given = f", from the {values} on" if goal.given else ""
-        given += ", of whole delays" if goal.whole else ""
+        given += ", of integer delays" if goal.whole else ""
         lines.append(f"- {goal.result}: at most {float(goal.bound):g}{given} ({goal.file})")
     return [
         *lines,

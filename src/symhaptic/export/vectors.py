@@ -173,7 +173,7 @@ def _rows(form: Form, precision: Precision) -> Iterator[tuple[float, ...]]:
 def _swings_on(at: Mapping[Expr, mpf], precision: Precision) -> bool:
     """Whether too little damping is given to tell whether any wall stops the device: see Stable.
 
-    This is so where a period holds whole half swings: the samples do not see these.
+    This is so where a period holds whole half oscillations: the samples do not see these.
     """
     damping, swing = at.get(delta, mpf(0)), mpmath.sqrt(at.get(gamma, mpf(0)))
     last = mpf(precision.ulp(1.0))

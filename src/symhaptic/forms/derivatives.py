@@ -128,11 +128,7 @@ class _By:
         )
         at = {alpha: large, beta: strong, l: whole, epsilon: part, psi: angle}
         need = required_damping.required()
-        slopes = (
-            (alpha, self(stiffness)),
-            (beta, self(damping)),
-            (epsilon, self(delay) / lift),
-        )
+        slopes = ((alpha, self(stiffness)), (beta, self(damping)), (epsilon, self(delay) / lift))
         return sp.Add(*(_By(s)(need).xreplace(at) * slope for s, slope in slopes if slope))
 
     def _product(self, expr: Expr) -> Expr:

@@ -25,19 +25,7 @@ from symhaptic.forms.entire import (
 from symhaptic.forms.form import HALF, Form, NoForm, domain, present, steps_of
 from symhaptic.model import loop, plant
 from symhaptic.model.parts import FULL, Parts
-from symhaptic.notation import (
-    a,
-    alpha,
-    beta,
-    d,
-    delta,
-    e,
-    epsilon,
-    gamma,
-    n_0,
-    n_1,
-    z,
-)
+from symhaptic.notation import a, alpha, beta, d, delta, e, epsilon, gamma, n_0, n_1, z
 
 
 @dataclass(frozen=True)

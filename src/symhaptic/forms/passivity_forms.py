@@ -23,21 +23,7 @@ from symhaptic.forms.implicit import (
 from symhaptic.forms.response import closed
 from symhaptic.model import passivity
 from symhaptic.model.parts import FULL, Parts
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    alpha,
-    b,
-    beta,
-    d,
-    delta,
-    epsilon,
-    l,
-    phi,
-    psi,
-    theta,
-)
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, epsilon, l, phi, psi, theta
 
 
 def _normalised(parts: Parts, expr: Expr) -> Expr:

@@ -71,13 +71,7 @@ def fractional_outside(*numbers: mpf, near: mpf = _NEAR) -> mpf:
 
 
 def _outside(
-    top: tuple[mpf, ...],
-    alpha: mpf,
-    beta: mpf,
-    power: mpf,
-    at_one: mpf,
-    loss: mpf,
-    near: mpf,
+    top: tuple[mpf, ...], alpha: mpf, beta: mpf, power: mpf, at_one: mpf, loss: mpf, near: mpf
 ) -> mpf:
     """Of z^power A(z) + M(z) ((alpha + beta) z - beta), with the coefficients of M on top."""
     if power > 14 or power != int(power):

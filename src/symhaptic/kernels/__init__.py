@@ -2,13 +2,13 @@
 """How does a call compute?  The stable forms as generated code, which imports nothing.
 
 `haptic.c` has the functions in C; `ufuncs.cpp`, written by hand, calls them in a loop over arrays,
-and `table.h` lists them for it.  `filter.cpp` judges most walls before.  ``haptic`` has the same
-functions for arrays of any library, ``scalar`` some for floats.  `symhaptic kernels` writes all
-but `ufuncs.cpp` and `filter.*` from the routines of `export/routines`.  Imports nothing; used by
-``numeric``.
+and `table.h` lists them for it.  `filter.cpp` judges most walls before, and `delay.cpp` finds
+most delay margins.  ``haptic`` has the same functions for arrays of any library, ``scalar`` some
+for floats.  `symhaptic kernels` writes all but these three and `filter.h` from the routines of
+`export/routines`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "89eecc6f7f4359ac"
+STAMP = "373742a06d8dc6fc"
 """Of the sources in C, as the module that is compiled of them has it."""
 
 OF_NUMBERS = ("discretize", "is_stable", "unstable_roots", "stability_boundary", "passivity_margin")

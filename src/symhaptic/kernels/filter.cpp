@@ -5,14 +5,7 @@
 
 #include <algorithm>
 
-#include "filter.h"
-
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__) && \
-    !defined(ONE_SET)
-#define CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define CLONES
-#endif
+#include "ordinary.h"
 
 namespace filter {
 

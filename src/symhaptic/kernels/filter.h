@@ -35,6 +35,10 @@ struct Block {
 /* Counts the roots of the first n walls; `once` where they have one device and one delay. */
 void counted(Block &walls, int n, bool fraction, bool once);
 
+/* About the largest delay of a loop, below which no root comes back; NaN where that is not proved,
+ * and if it is next to 0. */
+double largest_delay(double alpha, double beta, double gamma, double delta);
+
 #ifdef _MSC_VER
 #define INLINE static __forceinline
 #else
@@ -61,6 +65,14 @@ INLINE Ball operator*(double a, Ball b) {
     const double v = a*b.v;
     return {v, size(a)*b.e + U*size(v)};
 }
+INLINE Ball operator/(Ball a, Ball b) {
+    const double v = a.v/b.v, least = size(b.v) - SLACK*b.e;
+    return {v, least > 0 ? (a.e + size(v)*b.e)/least + U*size(v) : INFINITY};
+}
+INLINE Ball root(Ball a) {
+    const double v = std::sqrt(a.v);
+    return {v, a.v > SLACK*a.e ? a.e/v + U*v : INFINITY};
+}
 INLINE double least(Ball a) { return size(a.v) - SLACK*a.e; } /* positive: the sign is certain */
 INLINE double lower(Ball a) { return a.v - SLACK*a.e; }
 
@@ -72,9 +84,9 @@ struct Device {
 /* Terms of the device's step response; each is at most 2^(k-2)/k! where 2 delta + gamma <= 4. */
 constexpr int TERMS = 24;
 
-/* Way and speed after a step of the force for `time` of a period, and for all of it. */
+/* The device behind a fraction of a period; what m2 and m0 change by with it goes to `slopes`. */
 template <bool fraction>
-INLINE Device device(double gamma, double delta, double part) {
+INLINE Device device(double gamma, double delta, double part, Ball *slopes = nullptr) {
     const double near = 1 - part, share = 0.25*(2*delta + gamma);
     double before = 0, now = 0.5, power = near;
     double way = 0.5, speed = 1, early = 0, fast = 0;
@@ -99,8 +111,12 @@ INLINE Device device(double gamma, double delta, double part) {
     const Ball far = exact(4) - fall - spring - loss;
     if (!fraction) return {force, plain, n1, n1, exact(0), loss, far};
     const Ball m2 = {early, off_way}, old_way = n1 - m2;
-    const Ball old_speed = kick - Ball{fast, off_speed};
+    const Ball near_speed = {fast, off_speed}, old_speed = kick - near_speed;
     const Ball m0 = kick*old_speed - (exact(1) - fall)*old_way;
+    if (slopes) {
+        slopes[0] = -near_speed;
+        slopes[1] = kick*(exact(1) - delta*near_speed - gamma*m2) - (exact(1) - fall)*near_speed;
+    }
     const Ball sums = m2 + m0;
     return {force, Ball{2*sums.v, 2*sums.e} - force, sums, m2 - m0, m2*m0, loss, far};
 }
@@ -143,10 +159,28 @@ template <bool fraction> INLINE double slope(const Surplus &c, double y) {
     return ((fraction ? 3*c.c3.v*y : 0) + 2*c.c2.v)*y + c.c1.v;
 }
 
-/* Turns of p next to a crossing near y, and whether they are certain. */
+INLINE Ball across(const Device &x) { return x.gap*x.gap - x.force*x.sums; }
+
 template <bool fraction>
-INLINE double turns(const Device &x, const Wall &w, const Surplus &c, Ball start, double y,
-                    double side, bool &known) {
+INLINE Surplus surplus(const Device &x, Ball cross, double alpha, double beta, double gamma) {
+    const Ball slope_ = exact(alpha) + exact(beta), force = beta*slope_;
+    const Ball e = exact(1) - x.loss, at_one = gamma*x.force, push = exact(alpha)*exact(alpha);
+    const Ball top = x.force*x.force;
+    Surplus c;
+    c.c0 = ((exact(gamma) - exact(alpha))*(exact(gamma) + exact(alpha)))*top;
+    c.c1 = x.loss*x.loss - (exact(1) + e)*at_one - cross*push - top*force;
+    c.c2 = e - cross*force;
+    c.c3 = exact(0);
+    if (fraction) {
+        c.c2 = c.c2 - x.both*push;
+        c.c3 = -(x.both*force);
+    }
+    return c;
+}
+
+/* How far from y a crossing is at most. */
+template <bool fraction>
+INLINE double reach(const Surplus &c, double y, double side, bool &known) {
     const Ball at = exact(y);
     const Ball square = fraction ? (c.c3*at + c.c2)*at : c.c2*at;
     const Ball left = (square + c.c1)*at + c.c0;
@@ -155,6 +189,14 @@ INLINE double turns(const Device &x, const Wall &w, const Surplus &c, Ball start
     const double rise = 1/lower(side*steep), off = 1.25*SLACK*(size(left.v) + left.e)*rise;
     /* the slope falls by no more than a fifth within off, so a zero is there */
     known = known & (rise > 0) & (5*SLACK*off*bend*rise <= 1);
+    return off;
+}
+
+/* Turns of p next to a crossing near y, and whether they are certain. */
+template <bool fraction>
+INLINE double turns(const Device &x, const Wall &w, const Surplus &c, Ball start, double y,
+                    double side, bool &known) {
+    const double off = reach<fraction>(c, y, side, known);
     const double rest = 4 - y, edge = y < rest ? y : rest;
     known = known & (edge > 0) & (off <= 0x1p-7*edge);
     const double inner = y*rest > 0 ? y*rest : 1, root = std::sqrt(inner), per = 1/root;
@@ -189,39 +231,17 @@ INLINE double turns(const Device &x, const Wall &w, const Surplus &c, Ball start
     return found;
 }
 
-/* Roots outside the circle, or UNKNOWN or UNSTABLE; TWICE for two crossings, unless `both`. */
-template <bool fraction, bool both>
-INLINE double count(const Device &x, double alpha, double beta, double gamma, double delta,
-                    double steps) {
-    const double most = 0x1p20, some = 0x1p-60;
-    const double strong = size(alpha) > size(beta) ? size(alpha) : size(beta);
-    const auto plain = [&](double v) { return (v == 0) | ((size(v) >= some) & (size(v) <= most)); };
-    bool known = plain(alpha) & plain(beta) & (gamma >= 0) & (delta >= 0) & (strong > 0)
-               & ((gamma == 0) | (gamma >= some)) & ((delta == 0) | (delta >= some))
-               & (2*delta + gamma <= 4) & (steps <= most) & (steps >= 0);
-    const bool pulled = known & (alpha < -gamma);
-    const Ball slope_ = exact(alpha) + exact(beta), far = slope_ + exact(beta);
-    known = known & (slope_.v != 0) & (size(alpha) != gamma);
-    const Ball force = beta*slope_, pull = x.apart*far;
-    known = known & (x.far.v - size(pull.v) > SLACK*(x.far.e + pull.e)); /* the device leads at -1 */
-    const Ball e = exact(1) - x.loss, at_one = gamma*x.force, push = exact(alpha)*exact(alpha);
-    const Ball top = x.force*x.force, cross = x.gap*x.gap - x.force*x.sums;
-    Surplus c;
-    c.c0 = ((exact(gamma) - exact(alpha))*(exact(gamma) + exact(alpha)))*top;
-    c.c1 = x.loss*x.loss - (exact(1) + e)*at_one - cross*push - top*force;
-    c.c2 = e - cross*force;
-    c.c3 = exact(0);
-    Ball last = c.c2;
-    if (fraction) {
-        c.c2 = c.c2 - x.both*push;
-        c.c3 = -(x.both*force);
-        last = c.c2 + 12*c.c3;
-    }
+/* Where the surplus vanishes, about: at `high`, or if the device is stronger at 1 at both. */
+struct Shape {
+    bool bent, clear, twice;
+    double high, low;
+};
+
+template <bool fraction> INLINE Shape shape(const Surplus &c, bool stronger) {
+    const Ball last = fraction ? c.c2 + 12*c.c3 : c.c2;
     /* bent one way from 0 to 4: one crossing if the wall leads at 1, else none or two */
     const bool up = (lower(c.c2) > 0) & (lower(last) > 0);
     const bool down = (lower(-c.c2) > 0) & (lower(-last) > 0);
-    known = known & (up | down);
-    const bool stronger = gamma > size(alpha);
     /* plain Newton steps: what they find is checked */
     const double discriminant = c.c1.v*c.c1.v - 4*c.c0.v*c.c2.v;
     const double root = std::sqrt(discriminant > 0 ? discriminant : 0);
@@ -244,15 +264,42 @@ INLINE double count(const Device &x, double alpha, double beta, double gamma, do
     const bool between = (bottom >= 0) & (bottom <= 4);
     const bool clear = stronger & (down | (lower(c.c1) > 0) | (between & (above > 0)));
     const bool twice = stronger & up & between & (lower(-under) > 0);
+    return {bool(up | down), clear, twice, high, low};
+}
+
+/* Whether the device is slow, and no product underflows. */
+INLINE bool plain(double alpha, double beta, double gamma, double delta) {
+    const double most = 0x1p20, some = 0x1p-60;
+    const double strong = size(alpha) > size(beta) ? size(alpha) : size(beta);
+    const auto told = [&](double v) { return (v == 0) | ((size(v) >= some) & (size(v) <= most)); };
+    return told(alpha) & told(beta) & (gamma >= 0) & (delta >= 0) & (strong > 0)
+           & ((gamma == 0) | (gamma >= some)) & ((delta == 0) | (delta >= some))
+           & (2*delta + gamma <= 4);
+}
+
+/* Roots outside the circle, or UNKNOWN or UNSTABLE; TWICE for two crossings, unless `both`. */
+template <bool fraction, bool both>
+INLINE double count(const Device &x, double alpha, double beta, double gamma, double delta,
+                    double steps) {
+    bool known = plain(alpha, beta, gamma, delta) & (steps <= 0x1p20) & (steps >= 0);
+    const bool pulled = known & (alpha < -gamma);
+    const Ball slope_ = exact(alpha) + exact(beta), far = slope_ + exact(beta);
+    known = known & (slope_.v != 0) & (size(alpha) != gamma);
+    const Ball pull = x.apart*far, at_one = gamma*x.force;
+    known = known & (x.far.v - size(pull.v) > SLACK*(x.far.e + pull.e)); /* the device leads at -1 */
+    const Surplus c = surplus<fraction>(x, across(x), alpha, beta, gamma);
+    const bool stronger = gamma > size(alpha);
+    const Shape at = shape<fraction>(c, stronger);
+    known = known & at.bent;
     const Wall w = {alpha, slope_.v < 0 ? -1.0 : 1.0, steps, slope_};
     bool above_ = known, below = known;
-    const double second = turns<fraction>(x, w, c, at_one, high, 1, above_);
+    const double second = turns<fraction>(x, w, c, at_one, at.high, 1, above_);
     double first = 0;
-    if (both) first = turns<fraction>(x, w, c, at_one, low, -1, below);
-    const double found = 2*((both & twice ? first : 0) - second);
-    const bool crossed = above_ & (found >= 0) & ((!stronger) | (twice & below & both));
-    const double open = !both & known & twice ? TWICE : UNKNOWN;
-    const double behind = crossed ? found : open, told = known & clear ? 0 : behind;
+    if (both) first = turns<fraction>(x, w, c, at_one, at.low, -1, below);
+    const double found = 2*((both & at.twice ? first : 0) - second);
+    const bool crossed = above_ & (found >= 0) & ((!stronger) | (at.twice & below & both));
+    const double open = !both & known & at.twice ? TWICE : UNKNOWN;
+    const double behind = crossed ? found : open, told = known & at.clear ? 0 : behind;
     return pulled ? UNSTABLE : told;
 }
 

@@ -16,7 +16,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "filter.h"
+#include "ordinary.h"
 #include "table.h"
 
 namespace {
@@ -78,6 +78,66 @@ template <auto f> auto after_filter(double count, double alpha, double beta, dou
     else return Found(haptic_unstable_roots(alpha, beta, gamma, delta, delay));
 }
 
+/* The largest delay where it is proved and the kernel agrees on both of its sides; else NaN. */
+double max_delay(double alpha, double beta, double gamma, double delta) {
+    const double found = filter::largest_delay(alpha, beta, gamma, delta);
+    const bool known = std::isfinite(found), stronger = gamma > std::fabs(alpha);
+    if (!known || stronger) { /* else no root has come back */
+        const double begin = haptic_unstable_roots(alpha, beta, gamma, delta, 0);
+        if (begin != 0 || !known) return begin > 0 ? 0 : begin == 0 ? found : NAN;
+    }
+    /* what the kernel mostly tells apart, and less where angles are ill-conditioned */
+    const double near = (stronger ? 2e-14 : 1e-13)*(1 + std::floor(found));
+    const double below = found > near ? found - near : 0;
+    const bool right = haptic_is_stable(alpha, beta, gamma, delta, below)
+                       && haptic_unstable_roots(alpha, beta, gamma, delta, found + near) > 0;
+    return right ? found : NAN;
+}
+
+double delay_margin(double alpha, double beta, double gamma, double delta, double delay) {
+    const double left = max_delay(alpha, beta, gamma, delta) - delay;
+    if (!(delay >= 0) || !(left <= 0)) return delay >= 0 ? left : NAN;
+    return haptic_is_stable(alpha, beta, gamma, delta, delay) ? NAN : 0;
+}
+
+/* The stiffest stable wall of a damping, on the arc of the boundary on which the damping rises from
+ * theta = 0 past the stiffest wall of all; NaN where it is not there, or the kernel disagrees. */
+void limit_at(double beta, double gamma, double delta, double d, double *alpha, double *theta) {
+    double most, damping, top, stiffness = NAN;
+    *alpha = *theta = NAN;
+    haptic_max_stable_stiffness(gamma, delta, d, &most, &damping, &top);
+    const auto missed = [&](double angle) {
+        double found;
+        haptic_stability_boundary(angle, gamma, delta, d, &stiffness, &found);
+        return found - beta;
+    };
+    const bool beyond = beta > damping;
+    double low = beyond ? top : 1e-3*top, high = top, below = missed(low);
+    double above = beyond ? below : damping - beta;
+    for (int k = 1; k <= 16 && above < 0; ++k) {
+        low = high, below = above;
+        high = top + 0.0625*k*(3.14159 - top)/(1 + d);
+        above = missed(high);
+        if (!(above > below && stiffness > -gamma)) return;
+    }
+    if (!(below <= 0 && above >= 0)) return;
+    double next = high, value = above;
+    for (int k = 0; k < 60 && value != 0 && high - low > 0x1p-51*high; ++k) {
+        next = high - above*(high - low)/(above - below);
+        if (!(next > low && next < high) || k % 8 == 7) next = 0.5*(low + high);
+        value = missed(next);
+        if (value < 0) { /* an end that stays counts half */
+            low = next, below = value, above *= 0.5;
+        } else high = next, above = value, below *= 0.5;
+    }
+    missed(next);
+    const double near = 1e-12*(std::fabs(stiffness) + gamma);
+    bool right = haptic_is_stable(stiffness - near, beta, gamma, delta, d);
+    for (double more : {near, 0.25*(most - stiffness), most - stiffness})
+        right = right && haptic_unstable_roots(stiffness + more + near, beta, gamma, delta, d) > 0;
+    if (right) *alpha = stiffness, *theta = next;
+}
+
 /* Walls with or without a fraction of a period, and where they come from. */
 struct Walls {
     filter::Block block;
@@ -105,11 +165,36 @@ bool flush(Walls &walls, bool fraction, bool once, char *out, npy_intp step) {
     return all;
 }
 
+/* By Jury's table a free mass without delay is stable where alpha, beta and this are positive:
+ * 2 beta (2 - beta) - alpha (2 + beta).  NaN where roundings decide, or a number is not ordinary. */
+INLINE double free_mass(double alpha, double beta) {
+    const double most = 0x1p20, some = 0x1p-60, pull = alpha*(2 + beta), push = 2*beta*(2 - beta);
+    const double left = push - pull, size = pull + std::fabs(push);
+    const bool known = (alpha >= some) & (alpha <= most) & (beta >= some) & (beta <= most)
+                     & (std::fabs(left) > 0x1p-50*size);
+    return known ? left : NAN;
+}
+
 template <auto f, class... Of>
 bool filtered_loop(char **at, npy_intp size, npy_intp const *steps) {
     using T = typename Kernel<decltype(f)>::T;
     const bool once = !(steps[2] || steps[3] || steps[4]);
     bool all = true;
+    if constexpr (Kernel<decltype(f)>::truth) {
+        if (once && *(T *)at[2] == 0 && *(T *)at[3] == 0 && *(T *)at[4] == 0) {
+            for (npy_intp n = 0; n < size; ++n) {
+                const T x[] = {*(T *)(at[0] + n*steps[0]), *(T *)(at[1] + n*steps[1]), 0, 0, 0};
+                const double left = free_mass(x[0], x[1]);
+                bool good = left > 0;
+                if (left != left) {
+                    good = haptic_is_stable(x[0], x[1], 0, 0, 0);
+                    all &= Kernel<decltype(f), Of...>::inside(x);
+                }
+                *(bool *)(at[5] + n*steps[5]) = good;
+            }
+            return all;
+        }
+    }
     Walls walls[2];
     for (npy_intp n = 0; n < size; ++n) {
         const auto x = [&](int i) { return double(*(T *)(at[i] + n*steps[i])); };
@@ -128,12 +213,47 @@ bool filtered_loop(char **at, npy_intp size, npy_intp const *steps) {
     return all;
 }
 
+/* What computes blocks of ordinary arguments of a kernel, if there is one. */
+using InBlocks = void (*)(int, const ordinary::Rows &, ordinary::Rows &);
+template <auto f> constexpr InBlocks in_blocks() {
+    if constexpr (any_of<f, haptic_discretize>()) return ordinary::discretize;
+    else if constexpr (any_of<f, haptic_stability_boundary>()) return ordinary::stability_boundary;
+    else if constexpr (any_of<f, haptic_passivity_margin_at>()) return ordinary::passivity_margin_at;
+    else return nullptr;
+}
+
+template <auto f, class... Of>
+bool blocked_loop(char **at, npy_intp size, npy_intp const *steps) {
+    using K = Kernel<decltype(f), Of...>;
+    ordinary::Rows given, found;
+    bool all = true;
+    for (npy_intp begin = 0; begin < size; begin += filter::BLOCK) {
+        const int n = int(size - begin < filter::BLOCK ? size - begin : filter::BLOCK);
+        for (int i = 0; i < K::given; ++i)
+            for (int k = 0; k < n; ++k) given[i][k] = *(double *)(at[i] + (begin + k)*steps[i]);
+        in_blocks<f>()(n, given, found);
+        for (int k = 0; k < n; ++k) {
+            if (found[0][k] == found[0][k]) continue;
+            double x[K::given], y[K::found];
+            for (int i = 0; i < K::given; ++i) x[i] = given[i][k];
+            K::call(f, x, y);
+            for (int i = 0; i < K::found; ++i) found[i][k] = y[i];
+            if (y[0] != y[0]) all &= K::inside(x);
+        }
+        for (int i = 0; i < K::found; ++i)
+            for (int k = 0; k < n; ++k)
+                *(double *)(at[K::given + i] + (begin + k)*steps[K::given + i]) = found[i][k];
+    }
+    return all;
+}
+
 /* One ufunc's inner loop in one precision. */
 template <auto f, class... Of>
 void loop(char **at, npy_intp const *sizes, npy_intp const *steps, void *) {
     using K = Kernel<decltype(f), Of...>;
     bool all = true;
     if constexpr (counts<f>) all = filtered_loop<f, Of...>(at, sizes[0], steps);
+    else if constexpr (in_blocks<f>() != nullptr) all = blocked_loop<f, Of...>(at, sizes[0], steps);
     else for (npy_intp n = 0; n < sizes[0]; ++n) {
         typename K::T x[K::given];
         typename K::Found y[K::found];
@@ -176,12 +296,13 @@ PyObject *one(PyObject *, PyObject *const *args, Py_ssize_t count) {
     if (count != K::given) Py_RETURN_NONE;
     for (int i = 0; i < K::given; ++i)
         if (!given(args[i], x + i)) Py_RETURN_NONE;
-    if constexpr (counts<f>) {
-        char *at[K::given + 1];
+    if constexpr (counts<f> || in_blocks<f>() != nullptr) {
+        char *at[K::all];
         for (int i = 0; i < K::given; ++i) at[i] = (char *)(x + i);
-        at[K::given] = (char *)y;
-        const npy_intp steps[K::given + 1] = {};
-        filtered_loop<f>(at, 1, steps);
+        for (int i = 0; i < K::found; ++i) at[K::given + i] = (char *)(y + i);
+        const npy_intp steps[K::all] = {};
+        if constexpr (counts<f>) filtered_loop<f>(at, 1, steps);
+        else blocked_loop<f>(at, 1, steps);
     } else K::call(f, x, y);
     if (!K::inside(x)) Py_RETURN_NONE;
     for (int i = 0; i < K::found; ++i)
@@ -209,12 +330,13 @@ PyObject *outside(PyObject *, PyObject *) {
 template <auto single, auto in_two, class... Of>
 int add(PyObject *module, const char *name, const char *about) {
     using K = Kernel<decltype(in_two), Of...>;
+    using First = typename Kernel<decltype(single), Of...>::T;
     static PyUFuncGenericFunction loops[] = {loop<single, Of...>, loop<in_two, Of...>};
     static void *data[] = {nullptr, nullptr};
     static char types[2*K::all];
     for (int i = 0; i < 2*K::all; ++i)
         types[i] = char(i % K::all >= K::given && K::truth ? NPY_BOOL
-                        : i < K::all ? NPY_FLOAT : NPY_DOUBLE);
+                        : i < K::all && sizeof(First) == 4 ? NPY_FLOAT : NPY_DOUBLE);
     PyObject *made = PyUFunc_FromFuncAndData(loops, data, types, 2, K::given, K::found,
                                              PyUFunc_None, name, about, 0);
     const int failed = made == nullptr || PyModule_AddObjectRef(module, name, made);
@@ -222,12 +344,17 @@ int add(PyObject *module, const char *name, const char *about) {
     return failed;
 }
 
-#define ONE(name, about, ...) \
-    {"one_" #name, (PyCFunction)(void (*)(void))one<haptic_##name, __VA_ARGS__>, METH_FASTCALL, \
+#define SCALAR(name, function, ...) \
+    {"one_" #name, (PyCFunction)(void (*)(void))one<function, __VA_ARGS__>, METH_FASTCALL, \
      "Scalar version; None if an argument is no number or out of range, or a result is NaN."},
+#define ONE(name, about, ...) SCALAR(name, haptic_##name, __VA_ARGS__)
+#define LOOP in_alpha, in_beta, in_gamma, in_delta
 
 PyMethodDef functions[] = {
     KERNELS(ONE)
+    SCALAR(max_delay, max_delay, LOOP)
+    SCALAR(delay_margin, delay_margin, LOOP, in_d)
+    SCALAR(limit_at, limit_at, in_beta, in_gamma, in_delta, in_d)
     {"outside", outside, METH_NOARGS,
      "Whether an argument was NaN or out of range since this thread last asked."},
     {nullptr, nullptr, 0, nullptr}};
@@ -243,6 +370,15 @@ int loaded(PyObject *module) {
         || add<filtered, filtered>(module, "certain_roots",
                "roots outside the circle of (alpha, beta, gamma, delta, d)\n\n"
                "Where doubles with proved bounds are enough; -1 where not, -2 for at least one.\n")
+        || add<max_delay, max_delay, LOOP>(module, "max_delay",
+               "the largest delay of (alpha, beta, gamma, delta)\n\n"
+               "NaN where it needs more than doubles, and where an argument is out of range.\n")
+        || add<delay_margin, delay_margin, LOOP, in_d>(module, "delay_margin",
+               "the delay that may be added to d, of (alpha, beta, gamma, delta, d)\n\n"
+               "NaN where it needs more than doubles, and where an argument is out of range.\n")
+        || add<limit_at, limit_at, in_beta, in_gamma, in_delta, in_d>(module, "limit_at",
+               "alpha, theta of (beta, gamma, delta, d)\n\n"
+               "NaN where it needs more than doubles, and where an argument is out of range.\n")
         ? -1 : 0;
 }
 

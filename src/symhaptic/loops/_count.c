@@ -10,7 +10,7 @@
 
 enum { SIZE = 17, ENDS = 3 * SIZE + 2, DEEPEST = 50 };
 
-static const double PI = 3.141592653589793238;
+static const double PI = 3.141592653589793238, TERMS = 16;
 
 /* by Horner's rule, of n coefficients */
 static double real_value(const double *q, int n, double x)
@@ -131,6 +131,15 @@ static point value(const double *q, int n, point at)
     return found;
 }
 
+/* what a coefficient's rounding costs: the sum of the sizes of all terms, for |w| = r */
+static double terms(const double *q, int n, double r)
+{
+    double found = fabs(q[n - 1]);
+    for (int k = n - 2; k >= 0; k--)
+        found = found * r + fabs(q[k]);
+    return found;
+}
+
 /* the angle of b/a */
 static double turn(point a, point b)
 {
@@ -179,9 +188,10 @@ static void ends_there(loop *p, place *end)
     point spin = {cos(p->M * end->theta), sin(p->M * end->theta)}, of = end->device;
     end->late = (point){of.re * spin.re - of.im * spin.im, of.re * spin.im + of.im * spin.re};
     point both = {end->late.re + end->wall.re, end->late.im + end->wall.im};
-    double larger = fmax(size(of), size(end->wall));
+    double larger = fmax(size(of), size(end->wall)), r = 2 * sin(end->theta / 2);
+    double least = (terms(p->A, p->a, r) + terms(p->W, p->w, r)) / TERMS;
     end->apart = larger > 0 ? size(both) / larger : 0;
-    p->nearest = fmin(p->nearest, end->apart);
+    p->nearest = fmin(p->nearest, larger > 0 ? size(both) / fmax(larger, least * least) : 0);
 }
 
 /* whether |a| >= |b| at an end, but for rounding: by so much less than p is apart from 0 there */

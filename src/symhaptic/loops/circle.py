@@ -25,6 +25,13 @@ def value(coefficients: Array, at: Complex) -> Complex:
     return found
 
 
+def terms(coefficients: Array, theta: Array, in_z: bool) -> Array:
+    """The sum of the sizes of a polynomial's terms at angles on an axis of their own."""
+    size = np.ones_like(theta) if in_z else 2 * np.abs(np.sin(theta / 2))
+    sizes = np.abs(coefficients)
+    return real_value(sizes, np.broadcast_to(size, (*sizes.shape[:-1], size.shape[-1])))
+
+
 def squared(coefficients: Array) -> Array:
     """|q|^2 on the circle as a polynomial in x = |w|^2 = 2 - 2 cos(theta), of a q in w.
 

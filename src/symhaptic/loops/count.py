@@ -24,6 +24,7 @@ from symhaptic.loops.circle import (
     real_roots,
     roots,
     squared,
+    terms,
     value,
 )
 from symhaptic.loops.loop import Loop
@@ -42,15 +43,29 @@ def roots_inside(loop: Loop, K: Array, B: Array) -> tuple[Array, Array]:
     """Half turns of p along the upper circle, which are its roots inside, and how near 0 p comes.
 
     Not a whole number if a root lies on the circle.  The nearness is |p| over the larger of its
-    two parts, at the angles where they are equal.
+    two parts, at the angles where they are equal; or over a 16th of the sum of the sizes of all
+    their terms, which are rounded, where that is more.
     """
     K, B, whole = np.broadcast_arrays(K, B, loop.M)
     W = loop.wall(K, B)
     if _count is not None and not loop.in_z and max(W.shape[-1], loop.A.shape[-1]) <= _MOST:
-        return _compiled(loop, W, K.shape)
-    rows = K.size
+        inside, near = _compiled(loop, W, K.shape)
+    else:
+        inside, near = _halved(loop, W, whole)
+    if loop.doubtful.size:
+        A, W = (np.broadcast_to(q, (*K.shape, q.shape[-1])) for q in (loop.A, W))
+        device, wall = _both(A, W, loop.doubtful, loop.in_z)
+        late = np.exp(1j * whole[..., None] * loop.doubtful) * device
+        apart = _nearest(late, wall, _rounded(A, W, loop.doubtful, loop.in_z))
+        near = np.minimum(near, apart)
+    return inside, near
+
+
+def _halved(loop: Loop, W: Array, whole: Array) -> tuple[Array, Array]:
+    """The same in arrays, up to what is doubtful."""
+    shape, rows = whole.shape, whole.size
     W = W.reshape(rows, W.shape[-1])
-    A = np.broadcast_to(loop.A, (*K.shape, loop.A.shape[-1])).reshape(rows, loop.A.shape[-1])
+    A = np.broadcast_to(loop.A, (*shape, loop.A.shape[-1])).reshape(rows, loop.A.shape[-1])
     delays, ends = whole.reshape(rows, 1), _ends(A, W, loop.in_z)
     inside, near, left = np.empty(rows), np.empty(rows), np.arange(rows)
     for deep in range(_DEEPEST + 1):
@@ -63,7 +78,23 @@ def roots_inside(loop: Loop, K: Array, B: Array) -> tuple[Array, Array]:
         added = added[:, : np.isfinite(added).sum(axis=-1).max()]
         ends = np.concatenate([ends[again], np.where(np.isfinite(added), added, np.pi)], axis=-1)
         ends.sort(axis=-1)
-    return inside.reshape(K.shape), near.reshape(K.shape)
+    return inside.reshape(shape), near.reshape(shape)
+
+
+def _rounded(A: Array, W: Array, theta: Array, in_z: bool) -> Array:
+    """The sum of the sizes of all terms at angles; each of them is rounded."""
+    return terms(A, theta, False) + terms(W, theta, in_z)
+
+
+def _nearest(late: Complex, wall: Complex, rounded: Array) -> Array:
+    larger = np.maximum(np.maximum(np.abs(late), np.abs(wall)), rounded / _TERMS)
+    with np.errstate(all="ignore"):
+        apart = np.where(larger > 0, np.abs(late + wall) / larger, 0.0)
+    return np.asarray(apart.min(axis=-1))
+
+
+_TERMS = 16
+"""Of 1e-13 a 16th of all terms is 28 roundings of them."""
 
 
 def _turned(
@@ -100,7 +131,7 @@ def _turned(
         of_wall + _difference(after_wall),
     )
     middles = np.where(fits, np.nan, theta[:, 1::2])
-    return turned.sum(axis=-1) / np.pi, np.sqrt(apart.min(axis=-1)), middles
+    return turned.sum(axis=-1) / np.pi, _nearest(late, its, _rounded(A, W, ends, in_z)), middles
 
 
 _DEEPEST = 50

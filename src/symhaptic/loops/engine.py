@@ -85,8 +85,8 @@ class Engine:
             sampled = held(self.plant, delay - whole)
         elif np.any(delay != whole):
             raise ValueError(
-                f"delay: of {delay!r} periods is not allowed with integrator={self.integrator!r}; "
-                "give whole periods: a simulator has no time between its steps"
+                f"delay: {delay!r} periods do not fit integrator={self.integrator!r}; "
+                "give a whole number of periods, because a simulator knows its steps only"
             )
         else:
             sampled = STEPS[self.integrator](self.plant)
@@ -130,7 +130,7 @@ class Engine:
             raise ValueError(f"{self.no_passivity}; passivity is not told, ask for stability")
         if self.delay > LONGEST:
             raise ValueError(
-                f"delay: of {self.delay!r} periods is not allowed for passivity with a filter or a "
+                f"delay: {self.delay!r} periods are too long for passivity with a filter or a "
                 f"virtual mass; give at most {LONGEST} periods"
             )
         return Needs(
@@ -298,8 +298,8 @@ class Engine:
         alpha, beta = np.broadcast_arrays(np.asarray(alpha, float), np.asarray(beta, float))
         if self.integrator != "hold":
             raise ValueError(
-                f"integrator: {self.integrator!r} is not allowed for a margin of the delay; "
-                "a simulator has no time between its steps"
+                f"integrator: {self.integrator!r} has no delay margin, because a simulator knows "
+                "its steps only; give integrator='hold'"
             )
         found = np.full(alpha.shape, np.nan)
         for place in np.argwhere(np.isfinite(alpha) & np.isfinite(beta)):

@@ -6,12 +6,12 @@ K and B are in units of the mass and the period, as alpha and beta of the paper.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import reduce
+from functools import cached_property, reduce
 
 import numpy as np
 from numpy.typing import NDArray
 
-from symhaptic.loops.circle import Array
+from symhaptic.loops.circle import Array, point, roots, terms, value
 from symhaptic.loops.number import Polynomial, product, scaled, total
 from symhaptic.loops.plant import Sampled, transfer
 from symhaptic.loops.velocity import Measured, Velocity
@@ -39,10 +39,23 @@ class Loop:
         """How many roots the loop has."""
         return np.asarray(self.M + (self.A.shape[-1] - 1))
 
+    @cached_property
+    def doubtful(self) -> Array:
+        """Angles next to roots of A at which little is left of its terms.
+
+        There rounded coefficients may have a root on the other side of the circle.
+        """
+        theta = np.abs(np.angle(roots(self.A) + 1)).ravel()
+        left = np.abs(value(self.A[..., None, :], point(theta, False)))
+        return theta[(left < _LITTLE * terms(self.A, theta, False)).reshape(-1, len(theta)).any(0)]
+
     def wall(self, K: Array, B: Array) -> Array:
         """Coefficients of K X + B Y + E."""
         return K[..., None] * self.X + B[..., None] * self.Y + self.E
 
+
+_LITTLE = 1e-6
+"""The part of all terms below which their rounding is looked at."""
 
 SHORT = 4
 """Up to so many samples a mean is written in powers of w."""

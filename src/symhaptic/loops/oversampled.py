@@ -25,7 +25,7 @@ _MOST = 64
 
 @dataclass(frozen=True)
 class Oversampled(Measured):
-    """The velocity of a sensor that is faster than the wall, by a whole ratio.
+    """Velocity from a sensor that is sampled at an integer multiple of the rate of the wall.
 
     Parameters
     ----------
@@ -63,8 +63,8 @@ class Oversampled(Measured):
         above, below = recursion(self.velocity, 1.0)
         if len(above) + len(below) > _MEMORY:
             raise ValueError(
-                f"velocity: {self.velocity!r} is not allowed beside times; give a filter that "
-                f"keeps at most {_MEMORY} numbers"
+                f"velocity: {self.velocity!r} keeps too many numbers for times; give a filter that "
+                f"keeps at most {_MEMORY}"
             )
 
     @property

@@ -1,4 +1,4 @@
-"""Passive walls of a loop with any velocity: condition (4) of the paper, for whole delays.
+"""Passive walls of a loop with any velocity: condition (4) of the paper, for integer delays.
 
 A wall with the transfer function H is passive iff H(1) >= 0 and
 

@@ -33,7 +33,7 @@ def moving_mass(gamma: Number = 0, delta: Number = 0) -> Plant:
 
 
 class Sampled(NamedTuple):
-    """state+ = (1 + step) state + late force(-1) + early force, once a period.
+    """state+ = (1 + step) state + previous force(-1) + early force, once a period.
 
     ``early`` is what the force of this sample does within the period, ``late`` what is left of it
     in the next one if it arrives late by a part of a period.  Arrays, the loops in front.

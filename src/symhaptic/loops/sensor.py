@@ -52,7 +52,7 @@ class Encoder:
         """
         if self.unit not in ("", unit):
             raise ValueError(
-                f"encoder: a resolution in {self.unit} is not allowed for this device; give {unit}"
+                f"encoder: a resolution in {self.unit} does not fit this device; give it in {unit}"
             )
         found = copy(self)
         object.__setattr__(found, "unit", unit)

@@ -108,8 +108,8 @@ def _held(
     elif friction or any(start):
         name = "coulomb_friction" if friction else "position0 or velocity0"
         raise ValueError(
-            f"{name}: is not allowed beside dynamics, whose matrices do not say how it enters; "
-            "begin with an external force"
+            f"{name}: cannot be used with dynamics, whose matrices do not define its effect; "
+            "use external_force instead"
         )
     else:
         outside = [*system.force]
@@ -117,8 +117,8 @@ def _held(
     longest = motion.longest if friction else math.inf
     if longest * _MOST < 1:
         raise ValueError(
-            f"coulomb_friction: a period of {1 / longest:.3g} pieces is not allowed; "
-            "leave out coulomb_friction, or the actuator or structure that is so fast"
+            f"coulomb_friction: a period would need {1 / longest:.3g} pieces; "
+            "leave out coulomb_friction, or give a slower actuator or structure"
         )
     reported = {n / (between + 1) for n in range(between + 1)}
     read = {n / answers.times for n in range(answers.times)}

@@ -84,7 +84,9 @@ class SecondMass:
         kinds = {_UNITS[name].index(unit) for name, unit in given.items() if unit}
         if len(kinds) > 1:
             said = ", ".join(f"{name} in {unit}" for name, unit in given.items() if unit)
-            raise ValueError(f"mass: {said} is not allowed; give all along a line or of a rotation")
+            raise ValueError(
+                f"mass: {said} are mixed; give all units for a line or all for a rotation"
+            )
         object.__setattr__(self, "rotary", bool(kinds.pop()) if kinds else None)
         if self.sensor not in SENSORS:
             raise ValueError(
@@ -117,8 +119,7 @@ class SecondMass:
         """
         if self.rotary not in (None, rotary):
             raise ValueError(
-                f"structure: of {self.words} is not allowed for this device; give "
-                f"{', '.join(_WORDS[rotary])}"
+                f"structure: {self.words} do not fit this device; give {', '.join(_WORDS[rotary])}"
             )
         found = copy(self)
         object.__setattr__(found, "rotary", rotary)

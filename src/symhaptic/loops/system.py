@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
+from symhaptic.loops.circle import Array
 from symhaptic.loops.plant import Plant
 from symhaptic.notation.quantities import shown
 
-_SEVERAL = "system: of several inputs or outputs is not allowed; give one each"
+_SEVERAL = "system: it has several inputs or outputs; give a system with one input and one output"
 
 _LARGEST = 12
 """States of the largest device: beyond, the roots of its polynomial lose their digits."""
@@ -34,6 +36,10 @@ class LinearDevice:
     ------
     ValueError
         If the shapes do not fit or a number is not finite.
+
+    Notes
+    -----
+    Next to the boundary a verdict is that of matrices that differ from these by rounding.
 
     Examples
     --------
@@ -95,8 +101,8 @@ class LinearDevice:
             raise ValueError(_SEVERAL)
         if np.any(D):
             raise ValueError(
-                f"system: with D = {shown(np.asarray(D).tolist())} is not allowed; "
-                "a force moves no device at once"
+                f"system: D = {shown(np.asarray(D).tolist())} moves the device without delay; "
+                "give a system with D = 0"
             )
         return cls(A, B, C)
 
@@ -107,12 +113,12 @@ class LinearDevice:
 
     def before(self, plant: Plant, mass: float, period: float) -> Plant:
         """This device instead of the moving mass, in units of ``mass`` and ``period``."""
-        A, B, C = (np.array(each) for each in (self.A, self.B, self.C))
+        A, B, C = _rewritten(self)
         rows = (A * period).tolist()
         return Plant(
             tuple(map(tuple, rows)),
             tuple((B * mass / period).tolist()),
-            self.C,
+            tuple(C.tolist()),
             tuple((C @ A * period).tolist()),
         )
 
@@ -120,3 +126,29 @@ class LinearDevice:
     def words(self) -> str:
         """What a person reads of it."""
         return f"linear device of {len(self.B)} states"
+
+
+@lru_cache(maxsize=64)
+def _rewritten(device: LinearDevice) -> tuple[Array, Array, Array]:
+    """A, B and C with other states, in which the samples lose no digits.
+
+    Those of Schur's form, found in floats and put in exactly, in units that balance A.
+    """
+    from flint import fmpq, fmpq_mat
+    from scipy.linalg import matrix_balance, schur
+
+    def exact(rows: Array) -> fmpq_mat:
+        entries = [fmpq(*float(x).as_integer_ratio()) for x in rows.ravel()]
+        return fmpq_mat(*rows.shape, entries)
+
+    def rounded(matrix: fmpq_mat) -> Array:
+        entries = [int(x.p) / int(x.q) for x in matrix.entries()]
+        return np.reshape(entries, (matrix.nrows(), matrix.ncols()))
+
+    A, B, C = (np.array(each) for each in (device.A, device.B, device.C))
+    _, states = schur(A)
+    basis = exact(states)
+    back = basis.inv()
+    A, B, C = back * exact(A) * basis, back * exact(B[:, None]), exact(C[None]) * basis
+    A, (unit, _) = matrix_balance(rounded(A), permute=False, separate=True)
+    return A, rounded(B)[:, 0] / unit, rounded(C)[0] * unit

@@ -56,7 +56,7 @@ class Trace:
     def __init__(self, loop: Loop) -> None:
         if int(loop.M) > LONGEST:
             raise ValueError(
-                f"delay: of {int(loop.M)} periods is not allowed; give at most {LONGEST} periods"
+                f"delay: {int(loop.M)} periods are too long; give at most {LONGEST} periods"
             )
         self.loop = loop
         self.theta = self._angles()

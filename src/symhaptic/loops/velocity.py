@@ -155,7 +155,8 @@ class LowPass(Velocity):
         if len(given) != 1:
             said = ", ".join(f"{name}={getattr(self, name)!r}" for name in given) or "nothing"
             raise ValueError(
-                f"cutoff: {said} is not allowed; give one of cutoff, time_constant and weight"
+                f"cutoff: {said} is not allowed; give exactly one of cutoff, time_constant "
+                "and weight"
             )
         (name,) = given
         value = number(name, getattr(self, name), *sizes[name])
@@ -172,13 +173,13 @@ class LowPass(Velocity):
         if self.order == 2 and (self.mapping == "exact pole" or name == "weight"):
             wrong = "mapping" if self.mapping == "exact pole" else "weight"
             raise ValueError(
-                f"{wrong}: {getattr(self, wrong)!r} of a filter of second order is not allowed; "
+                f"{wrong}: {getattr(self, wrong)!r} does not fit a filter of second order; "
                 "give cutoff or time_constant, and 'backward Euler' or 'Tustin'"
             )
         if name == "weight" and self.mapping != "backward Euler":
             raise ValueError(
-                f"mapping: {self.mapping!r} beside weight={value!r} is not allowed; "
-                "leave the mapping out: a weight says the difference equation itself"
+                f"mapping: {self.mapping!r} does not fit weight={value!r}; "
+                "leave the mapping out: the weight defines the difference equation"
             )
 
     def tau(self, period: float) -> float:
@@ -321,7 +322,7 @@ class Filter(Velocity):
                 )
             object.__setattr__(self, name, tuple(number(name, each, "") for each in given))
         if self.denominator[0] == 0:
-            raise ValueError("denominator: 0 as the first is not allowed; give the factor of v_k")
+            raise ValueError("denominator: its first number is 0; give the factor of v_k there")
         above, below = sum(self.numerator), sum(self.denominator)
         if below == 0 or abs(above / below - 1) > 1e-9:
             raise ValueError(

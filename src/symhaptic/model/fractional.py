@@ -84,12 +84,7 @@ def energy_form(angle: Expr = theta) -> Matrix:
     force = wall.transfer() * z ** (-l - 1)
     straight = real_part(on_circle(force * (1 / (z - 1) + 1 - epsilon), angle))
     half = on_circle(force, angle) / 2
-    return Matrix(
-        [
-            [b / T + straight, half],
-            [mirror(half), b / (T * epsilon * (1 - epsilon))],
-        ]
-    )
+    return Matrix([[b / T + straight, half], [mirror(half), b / (T * epsilon * (1 - epsilon))]])
 
 
 def required_straight(angle: Expr = theta) -> Expr:

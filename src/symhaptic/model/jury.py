@@ -116,8 +116,8 @@ def jury(delay: int, gamma: float | None = None, delta: float | None = None) -> 
     """
     if isinstance(delay, Integral) and delay > LONGEST:
         raise ValueError(
-            f"delay: {shown(delay)} is not allowed; give at most {LONGEST} periods, since each "
-            "takes twice as long as the one before; use is_stable for longer delays"
+            f"delay: {shown(delay)} is not allowed; give at most {LONGEST} periods, or call "
+            "is_stable: each further period doubles the time of this criterion"
         )
     found = criterion(coefficients(delay))
     if gamma is None and delta is None:

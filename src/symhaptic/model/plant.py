@@ -34,10 +34,7 @@ class Plant:
     def state_matrix(self) -> Matrix:
         """A of d/dt (x, v) = A (x, v) + (0, 1/m) F, from Newton's law."""
         return Matrix(
-            [
-                [0, 1],
-                [-(self.stiffness or 0) / self.mass, -(self.damping or 0) / self.mass],
-            ]
+            [[0, 1], [-(self.stiffness or 0) / self.mass, -(self.damping or 0) / self.mass]]
         )
 
     @property
@@ -91,11 +88,7 @@ def _grown(pole: Expr, time: Expr) -> Expr:
 
 def normalised(parts: Parts) -> Plant:
     """The plant in units of the mass and the sampling period (Table I): 1, delta, gamma."""
-    return Plant(
-        sp.S.One,
-        delta if parts.damping else None,
-        gamma if parts.stiffness else None,
-    )
+    return Plant(sp.S.One, delta if parts.damping else None, gamma if parts.stiffness else None)
 
 
 @dataclass(frozen=True)

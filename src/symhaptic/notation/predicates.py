@@ -31,8 +31,8 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
         r"\allowbreak\ \text{{beside a loss of}}\ {1}\allowbreak\ "
         r"\text{{per squared displacement}}",
         "$\\sum_k(cp_k^2+p_k(Hx)_k)\\ge0$ for any finite sequence of displacements "
-        "$p_k=x_{k+1}-x_k$ from rest at $x=0$, of which a damper burns $cp_k^2$ and which work "
-        "against the force $(Hx)_k=h_0x_k+h_1x_{k-1}+\\ldots$",
+        "$p_k=x_{k+1}-x_k$ from rest at $x=0$, of which a damper dissipates $cp_k^2$ and which "
+        "work against the force $(Hx)_k=h_0x_k+h_1x_{k-1}+\\ldots$",
     ),
     "passive_wall": (
         *(0, 5),
@@ -114,14 +114,19 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
         r"\frac{{{3:factor}z^2+{4:factor}z+{5:term}}}{{z\,(z^2-{6:factor}z+{7:term})}}"
         r"\ \text{{samples the device}}\ ({0},{1})"
         r"\ \text{{late by}}\ {2}",
-        "the same device with the same $a$ and $e$, each held force beginning and ending $u$ "
-        "periods late, $0\\le u\\le1$: with $G=\\Gamma(1-u)$ and $H=\\Phi(1-u)\\,\\Gamma(u)$, "
+        "the same device with the same $a$ and $e$, each held force delayed by $u$ periods, "
+        "$0\\le u\\le1$: with $G=\\Gamma(1-u)$ and $H=\\Phi(1-u)\\,\\Gamma(u)$, "
         "$m_2=G_1$, $m_1=\\Phi_{12}G_2-\\Phi_{22}G_1+H_1$ and $m_0=\\Phi_{12}H_2-\\Phi_{22}H_1$",
     ),
 }
 """Each predicate: how many symbols it binds, how many terms it has, its LaTeX and its meaning.
 
 A term has brackets where it is not one, or no factor, or no base of a power, as it is marked."""
+
+JUDGING = frozenset(
+    name for name in MEANINGS if name.startswith(("stable", "passive")) or name == "hurwitz"
+)
+"""Those that judge a wall, a loop or a polynomial, and of which a print may be a condition."""
 
 TERMS: dict[str, tuple[str, ...]] = {
     "whole": ("n",),

@@ -228,7 +228,7 @@ class _Joined(Proposition):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "of", tuple(self.of))
-        if not all(isinstance(part, Proposition) for part in self.of):
+        if not all(type(part) in KINDS for part in self.of):
             raise NoTerm(f"{self.of} are no propositions that could be joined")
         if self.count not in (None, len(self.of)):
             raise NoTerm(f"{type(self).__name__} of {len(self.of)} parts; {self.count} are wanted")
@@ -274,7 +274,7 @@ class _Quantified(Proposition):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "over", tuple(self.over))
-        if not isinstance(self.body, Proposition):
+        if type(self.body) not in KINDS:
             raise NoTerm(f"{self.body!r} is no proposition that could be quantified")
         if not self.over or len(set(self.over)) < len(self.over):
             raise NoTerm(f"{self.over} are no symbols to quantify over")
@@ -300,6 +300,9 @@ class Exists(_Quantified):
     """For some values of the symbols."""
 
 
+KINDS = frozenset({Relation, Predicate, Not, And, Or, Implies, Iff, ForAll, Exists})
+"""All that there are; a class of one's own could say of itself that it is equal to anything."""
+
 TRUE, FALSE = And(()), Or(())
 
 
@@ -310,7 +313,7 @@ def proposition(of: Any) -> Proposition:
     >>> proposition(x > 0) == Relation(sp.S.Zero, "<", x)
     True
     """
-    if isinstance(of, Proposition):
+    if isinstance(of, Proposition) and type(of) in KINDS:
         return of
     for kind, sign, turned in (
         (sp.Eq, "=", False),

@@ -60,7 +60,7 @@ def _converted(name: str, quantity: Any, unit: str) -> Any:
     registry = quantity._REGISTRY
     wanted = registry.Unit(unit)
     if not quantity.is_compatible_with(wanted):
-        allowed = f"what converts to {unit}" if unit else "a number without dimension"
+        allowed = f"a quantity that converts to {unit}" if unit else "a number without dimension"
         raise ValueError(f"{name}: {shown(quantity)} is not allowed; give {allowed}")
     root = registry.Quantity(1, quantity.units).to_root_units()
     angle = dict(root.unit_items()).get("radian", 0)

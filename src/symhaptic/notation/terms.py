@@ -19,7 +19,7 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 from sympy import Expr, Symbol
-from sympy.core.function import AppliedUndef
+from sympy.core.function import AppliedUndef, UndefinedFunction
 
 from symhaptic.notation import SYMBOLS
 
@@ -138,6 +138,7 @@ _MADE: dict[tuple[Head, tuple[Term, ...]], Term] = {}
 _READ: dict[Expr, Term] = {}
 
 _NODES = frozenset({sp.Add, sp.Mul, sp.Pow, *FUNCTIONS})
+_RATIONALS = frozenset({sp.Rational, sp.Integer, *map(type, (sp.S.Half, *map(sp.S, (-1, 0, 1))))})
 _CONSTANTS = frozenset({sp.I, sp.pi})
 _PLAIN = Symbol("x").assumptions0
 
@@ -159,7 +160,7 @@ def _read(of: Expr) -> Term:
         if kind is sp.Pow and not args[0].free and _branch_by_decimals(args[0].sympy, of.args[1]):
             raise NoTerm(f"SymPy may find the branch of {of} by decimals, and take the wrong one")
         return Term(kind, args)
-    if isinstance(of, sp.Rational) and of.is_finite:
+    if kind in _RATIONALS:
         if gcd(of.p, of.q) != 1 or of.q < 1:
             raise NoTerm(f"{of} is not in lowest terms")
         return Term(of)
@@ -172,8 +173,8 @@ def _read(of: Expr) -> Term:
         if kind not in (Symbol, sp.Dummy) or of.assumptions0 != _PLAIN:
             raise NoTerm(f"the symbol {of} carries assumptions; hypotheses say them here")
         return Term(of)
-    if isinstance(of, AppliedUndef):
-        if set(getattr(of.func, "_kwargs", {})) - set(_PLAIN):
+    if isinstance(kind, UndefinedFunction) and kind.__bases__ == (AppliedUndef,):
+        if set(kind._kwargs) - set(_PLAIN):
             raise NoTerm(f"the function {of.func} carries assumptions; hypotheses say them here")
         return Term(of.func.__name__, tuple(map(tree, of.args)))
     raise NoTerm(f"{of} ({kind.__name__}) is no part of a term")

@@ -152,7 +152,7 @@ def refuse(name: str, values: Any, bad: Any, allowed: str) -> None:
 
 def unitless(name: str, values: Array, found: Array) -> Array:
     """What an argument is without its unit; too large, it is refused by the argument's name."""
-    allowed = f"what is at most {LARGEST:g} in size without its unit"
+    allowed = f"at most {LARGEST:g} in size without its unit"
     refuse(name, values, np.abs(found) > LARGEST, allowed)
     return found
 

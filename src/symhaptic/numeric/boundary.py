@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from symhaptic.kernels import haptic
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
-from symhaptic.numeric.compiled import at_once
+from symhaptic.numeric.compiled import at_once, finite
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.digits import in_digits
 from symhaptic.numeric.given import Given
@@ -121,7 +121,7 @@ def end(x: Device, steps: Array) -> tuple[Array, Array]:
         return 2 * both - line, line - both
 
 
-@at_once("stability_boundary", finite=True)
+@at_once("stability_boundary", sure=finite)
 @kept(alpha=float, beta=float)
 def stability_boundary(
     theta: ArrayLike,

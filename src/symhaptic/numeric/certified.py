@@ -67,7 +67,7 @@ def undecided(names: Sequence[str], numbers: Sequence[float], share: str) -> NoR
 
 def _each(work: Callable[..., Any], given: Given) -> Any:
     if given.traced:
-        raise ValueError("certified: True is not allowed for traced arrays; give numbers")
+        raise ValueError("certified: True is not available for traced arrays; give numbers")
 
     def rows(*values: Array) -> list[Any]:
         loop = np.broadcast_arrays(*values)
@@ -166,5 +166,5 @@ def whole(sheet: str, given: Given) -> None:
     """Refuse fractional delays on the principal sheet, of which no ball is known."""
     delay = given.values[-1]
     if sheet != "exact" and not given.whole(delay):
-        raise ValueError(f"certified: True is not allowed with sheet={shown(sheet)} and a "
+        raise ValueError(f"certified: True is not available with sheet={shown(sheet)} and a "
                          "fractional delay; give sheet='exact'")  # fmt: skip

@@ -45,14 +45,14 @@ def _module() -> ModuleType | None:
     except ImportError:
         if choice == "compiled":
             raise ValueError(
-                f"{CHOICE}: 'compiled' is not allowed where the install found no compiler; "
+                f"{CHOICE}: 'compiled' is not available, because the install found no compiler; "
                 "give 'array'"
             ) from None
         return None
     if getattr(_compiled, "STAMP", "") == STAMP:
         return _compiled
     if choice == "compiled":
-        raise ValueError(f"{CHOICE}: 'compiled' is not allowed where {_STALE}; or give 'array'")
+        raise ValueError(f"{CHOICE}: 'compiled' is not available: {_STALE}; or give 'array'")
     warnings.warn(f"{_STALE}; until then the array kernels work", RuntimeWarning, stacklevel=2)
     return None
 
@@ -91,15 +91,15 @@ WORDS = ("sheet", "tolerance", "threshold", "certified", "digits")
 def at_once(
     name: str,
     into: Callable[..., Any] | None = None,
-    finite: bool = False,
+    sure: Callable[[Any], bool] | None = None,
     work: Callable[..., Any] | None = None,
 ) -> Callable[[Callable[P, R]], Callable[P, R]]:
     """Let floats and float64 arrays go to a ufunc without a detour.
 
     Or to ``work``, which is given the ufunc before them; ``into`` is made of the results.
     The ufunc's loop asks of each argument whether it is in range, which costs next to nothing
-    there, and tells whether all were.  If not, where the first result has to be ``finite`` and is
-    not, and for all other arguments, the function itself is called, which says what is wrong.
+    there, and tells whether all were.  If not, where the first result is not ``sure``, and for all
+    other arguments, the function itself is called, which says what is wrong.
     """
 
     def around(function: Callable[P, R]) -> Callable[P, R]:
@@ -110,12 +110,16 @@ def at_once(
             return function
         outside: Callable[[], bool] = MODULE.outside
         one: Callable[..., Any] = getattr(MODULE, f"one_{name}") if work is None else _nothing
-        names = [n for n in signature(function).parameters if n not in WORDS]
+        rest = [v for n, v in signature(function).parameters.items() if n not in WORDS]
+        names = [v.name for v in rest]
+        usual = tuple(v.default for v in rest if v.default is not v.empty)
         rows = partial(_in_one_piece, ufunc) if ufunc.nout > 1 else ufunc
         kernel = rows if work is None else partial(work, ufunc)
 
         def many(*args: P.args, **named: P.kwargs) -> R:
-            given = _numbers(names, args, named)
+            left = len(names) - len(args)
+            more = usual[-left:] if 0 < left <= len(usual) and not named else ()
+            given = _numbers(names, (*args, *more), named)
             if given is None:
                 return function(*args, **named)
             try:
@@ -137,7 +141,7 @@ def at_once(
             return made(found)
 
         def known(found: Any) -> bool:
-            return not finite or _finite(found[0] if type(found) is tuple else found)
+            return sure is None or sure(found[0] if type(found) is tuple else found)
 
         def made(found: Any) -> R:
             if into is not None:
@@ -145,7 +149,7 @@ def at_once(
             result: R = found
             return result
 
-        return wraps(function)(plain if into is None and not finite else called)
+        return wraps(function)(plain if into is None and sure is None else called)
 
     return around
 
@@ -217,8 +221,14 @@ def _numbers(names: list[str], args: Sequence[Any], named: Mapping[str, Any]) ->
     return found
 
 
-def _finite(value: Any) -> bool:
+def finite(value: Any) -> bool:
     """Whether all numbers are; NaN is not."""
     if type(value) is np.ndarray:
         return bool(value.min() >= -_LARGEST and value.max() <= _LARGEST)
     return bool(-_LARGEST <= value <= _LARGEST)
+
+
+def told(value: Any) -> bool:
+    """Whether none is NaN."""
+    lowest = value.min() if type(value) is np.ndarray else value
+    return bool(lowest == lowest)

@@ -36,14 +36,16 @@ def in_digits(name: str, digits: int, sheet: str = "exact", **arguments: Any) ->
                          f"to {_MOST}")  # fmt: skip
     given = Given(**arguments)
     if given.traced:
-        raise ValueError("digits: not allowed for traced arrays; give numbers")
+        raise ValueError("digits: not available for traced arrays; give numbers")
     rows = np.broadcast_arrays(*map(to_numpy, given.values))
     names = [_OTHER.get(n, n) for n in arguments]
     if "d" in names and (sheet != "exact" or name in _CLOSED):
         delay = rows[names.index("d")]
         if np.any(delay != np.floor(delay)):
             what = f"digits of {name}" if sheet == "exact" else f"digits with sheet={sheet!r}"
-            raise ValueError(f"delay: a fraction is not allowed for {what}; give whole periods")
+            raise ValueError(
+                f"delay: a fraction is not available for {what}; give a whole number of periods"
+            )
     found = [_one(name, digits, names, values) for values in zip(*map(_flat, rows), strict=True)]
     if not rows[0].ndim:
         return found[0] if len(found[0]) > 1 else found[0][0]
@@ -69,13 +71,13 @@ def _one(name: str, digits: int, names: list[str], values: tuple[float, ...]) ->
     if any(math.isnan(v) for v in values):
         return tuple([flint.arb("nan")] * _results(name))
     start = bits(values) + math.ceil(3.33 * digits)
-    for precision in (start << i for i in range(_TRIES)):
+    for last, precision in ((i == _TRIES - 1, start << i) for i in range(_TRIES)):
         with flint.ctx.workprec(precision):
             try:
                 found = EXACT[name](**dict(zip(names, values, strict=True)))
             except ArithmeticError:  # too wide
                 continue
-            if all(not x.is_finite() or x.rad() <= abs(x) * most for x in found):
+            if all(x.rad() <= abs(x) * most or (last and x.is_nan()) for x in found):
                 return found
     said = ", ".join(f"{n}={v!r}" for n, v in zip(names, values, strict=True))
     raise ArithmeticError(

@@ -409,8 +409,13 @@ class _Reader:
         base = self.atom()
         if self.peek() == "^":
             self.take()
-            exponent = self.exponent()
-            return sp.exp(exponent) if base is _E else self.raised(base, exponent)
+            begin, exponent = self.at, self.exponent()
+            if base is _E:
+                return sp.exp(exponent)
+            raised = "".join(self.tokens[begin : self.at])
+            if base.is_Symbol and re.fullmatch(r"\{\([^()]*\)}", raised):
+                raise Unreadable(f"a power or a derivative, in {self.latex!r}")
+            return self.raised(base, exponent)
         if base is _E:
             raise Unreadable(f"e without exponent in {self.latex!r}")
         return base

@@ -84,7 +84,7 @@ def _known(caller: str, form: Any) -> Any:
                 f"{caller}: {type(part).__name__} is an unknown class; give formulas of SymPy"
             )
         if part.is_Rational and digits and _longer(part, digits):
-            raise ValueError(f"{caller}: a number of more than {digits} digits is not allowed")
+            raise ValueError(f"{caller}: a number is too long; give at most {digits} digits")
         left += (arg for arg in part.args if isinstance(arg, sp.Basic))
     return form
 

@@ -67,7 +67,7 @@ class Settlement:
             verdict = replace(verdict, definitions=self.definitions)
             if self.values:
                 return self._constants(verdict)
-            if unsaid := [q.digits for q in self.quoted if not _stands_in(verdict.claim, q)]:
+            if unsaid := [q.digits for q in self.quoted if not stands_in(verdict.claim, q)]:
                 raise Unfounded(f"{unsaid[0]} is printed, and neither measured nor in the claim")
             return verdict
         if told := carrying(*self.derived):
@@ -166,13 +166,14 @@ class Settlement:
         )
 
 
-def _stands_in(claim: Proposition | None, quoted: Quoted) -> bool:
-    """Whether a quoted number is one of those in a claim."""
+def stands_in(claim: Proposition | None, quoted: Quoted) -> bool:
+    """Whether a claim has a quoted number, or half a unit more or less, from where one rounds."""
     if claim is None:
         return False
-    number = Term(Rational(quoted.digits))
-    own = any(part is number for tree in claim.trees for part in tree.walk())
-    return own or any(_stands_in(part, quoted) for part in claim.parts)
+    number, half = Rational(quoted.digits), Rational(str(quoted.unit)) / 2
+    numbers = {Term(number + share * half) for share in (-1, 0, 1)}
+    own = any(part in numbers for tree in claim.trees for part in tree.walk())
+    return own or any(stands_in(part, quoted) for part in claim.parts)
 
 
 def units_disagree(printed: Sequence[Expr]) -> str | None:

@@ -30,15 +30,7 @@ from symhaptic.notation import (
     y,
     z,
 )
-from symhaptic.notation.proposition import (
-    ForAll,
-    Iff,
-    Predicate,
-    Proposition,
-    both,
-    implied,
-    whole,
-)
+from symhaptic.notation.proposition import ForAll, Iff, Predicate, Proposition, both, implied, whole
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
 from symhaptic.rules.claims import UNITS

@@ -138,11 +138,7 @@ OTHER_LOOPS = (
         "rules:low-pass-mass",
         "for a damper behind a low-pass filter, $1/(\\tau_fs+1)$ by backward Euler",
         "a free mass without delay is stable just within these bounds",
-        (
-            r"K > 0",
-            r"B > 0",
-            r"\tau_f(T+2\tau_f)K^2 + (2m+B(T+4\tau_f))K < \frac{2B(2m-BT)}{T}",
-        ),
+        (r"K > 0", r"B > 0", r"\tau_f(T+2\tau_f)K^2 + (2m+B(T+4\tau_f))K < \frac{2B(2m-BT)}{T}"),
         condition=True,
     ),
     Statement(

@@ -158,8 +158,8 @@ def one_of(name: str, value: Any, other: str, instead: Any) -> None:
     if value is None and instead is None:
         raise ValueError(f"{name}: is missing; give {name} or {other}")
     if value is not None and instead is not None:
-        given = f"{shown(instead)} beside {name}={shown(value)}"
-        raise ValueError(f"{other}: {given} is not allowed; give one of them")
+        given = f"{shown(instead)} and {name}={shown(value)}"
+        raise ValueError(f"{other}: {given} exclude each other; give one of them")
 
 
 def without_defaults(part: DataclassInstance, *names: str) -> str:
@@ -259,7 +259,8 @@ class ArmRange:
             per = f"{part}_per_mass"
             both = getattr(self, part), getattr(self, per)
             if all(given is not None for given in both):
-                raise ValueError(f"{per}: {both[1]!r} beside {part}={both[0]!r} is not allowed")
+                given = f"{both[1]!r} and {part}={both[0]!r}"
+                raise ValueError(f"{per}: {given} exclude each other; give one of them")
             elif all(given is None for given in both):
                 object.__setattr__(self, per, default)
         if self.mass is None and self.inertia is None:
@@ -300,10 +301,10 @@ class ArmRange:
             raise ValueError(f"arms: {shown(arms)} is not allowed; give one or more Arm(...)")
         if any(arm.with_device for arm in some):
             raise ValueError(
-                "arms: one that was measured with its device is not allowed in a range"
+                "arms: one was measured together with its device; give arms without a device"
             )
         if len({arm.rotary for arm in some}) > 1:
-            raise ValueError("arms: one with a mass beside one with an inertia is not allowed")
+            raise ValueError("arms: some have a mass and some an inertia; give all of one kind")
         names = ("inertia" if some[0].rotary else "mass", "damping", "stiffness")
         ends = {
             name: (min(getattr(a, name) for a in some), max(getattr(a, name) for a in some))
@@ -380,6 +381,13 @@ def device(name: str) -> Device:
 
     found: Device = _named("device", name, {each.name: each for each in DEVICES})
     return found
+
+
+def of_device(name: str) -> dict[str, float]:
+    """Mass and damping of a published device, as far as they are published."""
+    found = device(name)
+    numbers = (("mass", found.mass), ("damping", found.damping))
+    return {key: float(value) for key, value in numbers if value is not None}
 
 
 def published() -> dict[str, dict[str, float | str | None]]:

@@ -112,9 +112,9 @@ def lambdify(
         form = "derived"
     if form != "stable":
         if derivatives:
-            raise ValueError(f"derivatives: is not allowed with form={form!r}; give form='stable'")
+            raise ValueError(f"derivatives: not available with form={form!r}; give form='stable'")
         if scene is not None:
-            raise ValueError(f"scene: is not allowed with form={form!r}; give form='stable'")
+            raise ValueError(f"scene: not available with form={form!r}; give form='stable'")
         return _Lambdified.of(_of_the_paper(id, form, modules), (id, form, modules))
     parts = _parts(scene)
     try:
@@ -162,7 +162,9 @@ def _parts(scene: Scene | Parts | str | None) -> Parts:
         scene.refuse_further("a formula of the paper's loop")
         return scene.parts
     if not isinstance(scene, str):
-        raise TypeError(f"scene: {scene!r} is not allowed; give a Scene or words as 'no-delay'")
+        raise TypeError(
+            f"scene: {scene!r} is not allowed; give a Scene or words such as 'no-delay'"
+        )
     try:
         return left(scene)
     except ValueError as wrong:

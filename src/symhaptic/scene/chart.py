@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from symhaptic.scene.loop import DeviceLoop
-from symhaptic.scene.picture import EDGE, PASSIVE, STABLE, UNSTABLE, finish
+from symhaptic.scene.picture import EDGE, PASSIVE, STABLE, finish, mark
 from symhaptic.scene.walls import (
     is_stable,
     limit_at,
@@ -68,10 +68,6 @@ def draw_chart(axes: Axes, scene: DeviceLoop, wall: tuple[float, float] | None =
             label="largest passive stiffness",
         )  # fmt: skip
     if wall is not None:
-        good = bool(is_stable(scene, *wall))
-        axes.plot(
-            *wall, "x", ms=9, mew=2, color=EDGE if good else UNSTABLE,
-            label=f"this wall: {wall[0]:.4g} {in_K}, {wall[1]:.4g} {in_B}",
-        )  # fmt: skip
+        mark(axes, scene, wall, bool(is_stable(scene, *wall)))
     axes.set(xlim=(0, 1.05 * high["K"] or 1), ylim=(0, 1.05 * high["B"] or 1))
     finish(axes, in_K, in_B)

@@ -25,8 +25,8 @@ def files(scene: DeviceLoop, K: float, B: float, single: bool = False) -> dict[s
     velocity = scene.velocity or Difference()
     if isinstance(velocity, Measured):
         raise ValueError(
-            f"velocity: {velocity!r} is not allowed for a controller in C; give what computes it "
-            "from the positions of the samples"
+            f"velocity: {velocity!r} cannot be computed in C; give a velocity that is computed "
+            "from sampled positions, such as Difference()"
         )
     if not is_stable(scene, K, B):
         raise ValueError(f"K: {K!r} with B={B!r} is not stable for this device; give a stable wall")

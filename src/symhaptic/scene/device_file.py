@@ -15,8 +15,7 @@ from symhaptic.loops.structure import SecondMass
 from symhaptic.loops.velocity import Average, Difference, Filter, LowPass, Measured, Window
 from symhaptic.notation.quantities import number
 from symhaptic.notation.suggest import suggested
-from symhaptic.scene.arms import Arm, ArmRange, checked_range
-from symhaptic.scene.arms import device as published
+from symhaptic.scene.arms import Arm, ArmRange, checked_range, of_device
 from symhaptic.scene.scene import Scene
 
 MOVED = "mass", "inertia", "damping", "stiffness"
@@ -114,10 +113,10 @@ def read(path: Path) -> Device:
         raise BadDevice(f"{path}: [wall] needs K and B")
     if names.get("arm") is not None and arm:
         place = _place(path, text, "arm", next(iter(arm)))
-        raise BadDevice(f"{place} beside name is not allowed; give one of them")
+        raise BadDevice(f"{place} and name exclude each other; give one of them")
     here = ""
     try:
-        known = device if names[""] is None else {**_published(names[""]), **device}
+        known = device if names[""] is None else {**of_device(names[""]), **device}
         for key, instead in (("mass", "inertia"), ("sampling_period", "sampling_rate")):
             if key not in known and instead not in known:
                 raise BadDevice(f"{path}: {key} is missing, such as {key} = {_EXAMPLES[key]}")
@@ -145,13 +144,6 @@ def read(path: Path) -> Device:
     return Device(scene, (numbers["K"], numbers["B"]) if numbers else None, arms)
 
 
-def _published(name: Any) -> dict[str, float]:
-    """Mass and damping of a device, as far as they are published."""
-    found = published(name)
-    numbers = (("mass", found.mass), ("damping", found.damping))
-    return {key: float(value) for key, value in numbers if value is not None}
-
-
 def _part(path: Path, text: str, table: str, given: dict[str, Any]) -> Any:
     """A part of the loop; it checks its numbers itself."""
     kinds = PARTS[table]
@@ -163,7 +155,7 @@ def _part(path: Path, text: str, table: str, given: dict[str, Any]) -> Any:
     wanted = {each.name: each.default is MISSING for each in fields(kinds[name]) if each.init}
     for key in given.keys() - wanted.keys():
         place = _place(path, text, table, key)
-        raise BadDevice(f"{place} is not allowed for kind = {name!r}; leave it out")
+        raise BadDevice(f"{place} does not belong to kind = {name!r}; leave it out")
     for key, needed in wanted.items():
         if needed and key not in given:
             raise BadDevice(f"{path}: [{table}] needs {key}")
@@ -178,7 +170,9 @@ def _check(path: Path, text: str, table: str, key: str, given: Any) -> None:
     """Refuse a key that its table has not; numbers are checked where they are used."""
     known = SCHEMA[table]
     if not table and key and key in SCHEMA:
-        raise BadDevice(f"{_place(path, text, table, key)} is not allowed; give a table [{key}]")
+        raise BadDevice(
+            f"{_place(path, text, table, key)} is not a table; write [{key}] with its keys below"
+        )
     if key not in known:
         named = [*known, *([NAMED[table]] if table in NAMED else [])]
         raise BadDevice(f"{_place(path, text, table, key)} is not known; {suggested(key, named)}")

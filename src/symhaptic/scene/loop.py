@@ -114,8 +114,8 @@ class DeviceLoop:
                 object.__setattr__(self, name, number(name, value, self.unit(unit), least))
         if self.delay is not None and self.delay_samples is not None:
             raise ValueError(
-                f"delay_samples: {self.delay_samples!r} beside delay={self.delay!r} is not "
-                "allowed; one of them is"
+                f"delay_samples: {self.delay_samples!r} and delay={self.delay!r} exclude each "
+                "other; give one of them"
             )
         for name, kind in _KINDS.items():
             part = getattr(self, name)
@@ -124,8 +124,8 @@ class DeviceLoop:
         for name in ("mass", "inertia", "damping", "stiffness", "arm", "structure"):
             if self.dynamics is not None and getattr(self, name) is not None:
                 raise ValueError(
-                    f"{name}: {shown(getattr(self, name))} beside dynamics is not allowed; "
-                    f"the matrices say all of the device"
+                    f"{name}: {shown(getattr(self, name))} cannot be used with dynamics, whose "
+                    f"matrices describe the whole device; leave {name} out"
                 )
         if self.structure is not None:
             object.__setattr__(self, "structure", self.structure.fitting(self.rotary))
@@ -133,23 +133,23 @@ class DeviceLoop:
             object.__setattr__(self, "encoder", self.encoder.fitting(self.unit("m")))
         if self.dynamics is not None and self.dynamics.jumps and self.velocity == Measured():
             raise ValueError(
-                f"velocity: {self.velocity!r} is not allowed for dynamics whose velocity follows "
-                "the force at once; give a difference"
+                f"velocity: {self.velocity!r} cannot be used with dynamics whose velocity follows "
+                "the force without delay; give Difference()"
             )
         if self.integrator not in STEPS:
             allowed = ", ".join(map(repr, STEPS))
             raise ValueError(f"integrator: {shown(self.integrator)} is not allowed; give {allowed}")
         if self.integrator != "hold" and (self.actuator or self.structure or self.dynamics):
             raise ValueError(
-                f"integrator: {self.integrator!r} beside an actuator, a structure or dynamics "
-                "is not allowed; a simulator moves one mass"
+                f"integrator: {self.integrator!r} moves one mass; leave out actuator, structure "
+                "and dynamics, or give integrator='hold'"
             )
         if isinstance(self.velocity, Oversampled) and (
             self.integrator != "hold" or self.virtual_mass
         ):
             other = "virtual_mass" if self.virtual_mass else "integrator"
             raise ValueError(
-                f"{other}: {getattr(self, other)!r} beside velocity=Oversampled() is not allowed; "
+                f"{other}: {getattr(self, other)!r} cannot be used with velocity=Oversampled(); "
                 "give a velocity of one rate"
             )
         if self.arm is not None:

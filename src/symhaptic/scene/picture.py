@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from symhaptic.notation.extras import needed
 from symhaptic.numeric.boundary import stability_boundary
@@ -54,19 +55,33 @@ def draw(axes: Axes, scene: DeviceLoop, wall: tuple[float, float] | None = None)
         axes.plot(limit.K, limit.B, shape, ms=5, color="black", zorder=3, label=text)
     if wall is not None:
         good = bool(walls.is_stable(held, *wall))
-        text = f"this wall: {wall[0]:.4g} {in_K}, {wall[1]:.4g} {in_B}"
-        color = EDGE if good else UNSTABLE
         top = limit_at(held, wall[1]).K
         if good and wall[0] < top:
             axes.plot(
                 [wall[0], top], [wall[1], wall[1]],
-                ":", color=color, label=f"to its limit: {digits(top - wall[0])} {in_K} more",
+                ":", color=EDGE, label=f"to its limit: {digits(top - wall[0])} {in_K} more",
             )  # fmt: skip
-        axes.plot(*wall, "x", ms=9, mew=2, color=color, label=text)
+        mark(axes, scene, wall, good)
     axes.axhline(0, color="black", lw=0.6)
     axes.axvline(0, color="black", lw=0.6)
     axes.set(xlim=(low["K"], high["K"]), ylim=(low["B"], high["B"]))
     finish(axes, in_K, in_B)
+
+
+def mark(axes: Axes, scene: DeviceLoop, wall: tuple[float, float], good: bool) -> None:
+    """A cross at a wall, with its numbers in the legend."""
+    in_K, in_B = scene.printed("N/m"), scene.printed("N*s/m")
+    text = f"this wall: {wall[0]:.4g} {in_K}, {wall[1]:.4g} {in_B}"
+    axes.plot(*wall, "x", ms=9, mew=2, color=EDGE if good else UNSTABLE, label=text)
+
+
+def explicit_boundary(loop: DeviceLoop) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """K and B of the walls on the explicit boundary, up to its first return or two."""
+    n = loop.dimensionless
+    per_K, per_B = units(loop.mass_or_inertia, loop.sampling_period)
+    theta = np.linspace(1e-4, min(np.pi, 2.2 * np.pi / (n.delay + 1)), 4000)
+    alpha, beta = stability_boundary(theta, n.gamma, n.delta, n.delay)[:2]
+    return alpha * per_K, beta * per_B
 
 
 def finish(axes: Axes, in_K: str, in_B: str) -> None:
@@ -83,14 +98,9 @@ def _traced(axes: Axes, held: DeviceLoop, low: dict[str, float], high: dict[str,
     K, B = np.meshgrid(np.linspace(low["K"], high["K"], 900), np.linspace(low["B"], high["B"], 700))
     stable = is_stable(K / per_K, B / per_B, n.gamma, n.delta, n.delay)
     axes.contourf(K, B, stable, levels=[0.5, 1.5], colors=[STABLE])
-    theta = np.linspace(1e-4, min(np.pi, 2.2 * np.pi / (n.delay + 1)), 4000)
-    alpha, beta = stability_boundary(theta, n.gamma, n.delta, n.delay)[:2]
-    inside = (alpha * per_K < 1.5 * high["K"]) & (alpha * per_K > 3 * low["K"])
-    inside &= (beta * per_B < 1.5 * high["B"]) & (beta * per_B > 3 * low["B"])
-    axes.plot(
-        np.where(inside, alpha * per_K, np.nan), np.where(inside, beta * per_B, np.nan),
-        color=EDGE, lw=1.3,
-    )  # fmt: skip
+    K, B = explicit_boundary(held)
+    inside = (1.5 * high["K"] > K) & (3 * low["K"] < K) & (1.5 * high["B"] > B) & (3 * low["B"] < B)
+    axes.plot(np.where(inside, K, np.nan), np.where(inside, B, np.nan), color=EDGE, lw=1.3)
 
 
 def new_axes(caller: str) -> Axes:

@@ -19,11 +19,18 @@ from symhaptic.bounds.safe.find import certified
 from symhaptic.bounds.safe.passive import is_passive, passive
 from symhaptic.notation.quantities import decimal, in_unit, number, shown
 from symhaptic.numeric import arguments
-from symhaptic.numeric.boundary import stability_boundary
 from symhaptic.scene.arms import Arm, ArmRange, checked_range
-from symhaptic.scene.dimensionless import units
 from symhaptic.scene.loop import DeviceLoop
-from symhaptic.scene.picture import EDGE, PASSIVE, STABLE, UNSTABLE, digits, finish, new_axes
+from symhaptic.scene.picture import (
+    EDGE,
+    PASSIVE,
+    STABLE,
+    digits,
+    explicit_boundary,
+    finish,
+    mark,
+    new_axes,
+)
 from symhaptic.scene.walls import max_stable_stiffness
 from symhaptic.scene.words import table
 
@@ -270,7 +277,7 @@ def safe_walls(scene: DeviceLoop, arm: Arms) -> SafeWalls:
     if scene.arm is not None:
         if arm is not None:
             raise ValueError(
-                f"arm: {shown(arm)} beside the scene's {scene.arm!r} is not allowed; "
+                f"arm: {shown(arm)} would be a second arm beside the scene's {scene.arm!r}; "
                 "use scene.device.safe_walls(...) for another arm"
             )
         scene, arm = scene.device, scene.arm
@@ -300,11 +307,7 @@ def draw_safe(axes: Axes, safe: SafeWalls, wall: tuple[float, float] | None = No
         "K": 1.12 * max(most.K, safe.stiffest[0], wall[0] if wall else 0.0),
         "B": 1.05 * max(2 * most.B, outline[:, 1].max(), wall[1] if wall else 0.0),
     }
-    n = alone.dimensionless
-    theta = np.linspace(1e-4, min(np.pi, 2.2 * np.pi / (n.delay + 1)), 4000)
-    alpha, beta = stability_boundary(theta, n.gamma, n.delta, n.delay)[:2]
-    per_K, per_B = units(alone.mass_or_inertia, alone.sampling_period)
-    K, B = alpha * per_K, beta * per_B
+    K, B = explicit_boundary(alone)
     far = {name: 2 * end for name, end in high.items()}
     seen = (K > 0) & (far["K"] > K) & (abs(B) < far["B"])
     axes.plot(
@@ -325,10 +328,6 @@ def draw_safe(axes: Axes, safe: SafeWalls, wall: tuple[float, float] | None = No
         if stiff and stiff[0] < 0.02 * high["K"]:
             axes.plot(*stiff[:2], "d", ms=5, color=PASSIVE, zorder=3, clip_on=False)
     if wall is not None:
-        good = bool(safe.contains(*wall))
-        axes.plot(
-            *wall, "x", ms=9, mew=2, color=EDGE if good else UNSTABLE,
-            label=f"this wall: {wall[0]:.4g} {in_K}, {wall[1]:.4g} {in_B}",
-        )  # fmt: skip
+        mark(axes, alone, wall, bool(safe.contains(*wall)))
     axes.set(xlim=(0, high["K"]), ylim=(0, high["B"]))
     finish(axes, in_K, in_B)

@@ -137,17 +137,13 @@ class Scene(DeviceLoop):
         >>> Scene.of("Phantom Premium 1.5", sampling_period=0.001, delay_samples=1.5).damping
         0.005
         """
-        from symhaptic.scene.arms import device as published
+        from symhaptic.scene import arms
 
-        found = published(device)
-        known = {
-            name: float(value)
-            for name, value in (("mass", found.mass), ("damping", found.damping))
-            if value is not None
-        }
-        if "mass" not in {**known, **given}:
-            raise ValueError(f"mass: is not published of the {found.name}; give one in kg")
-        return cls(**{**known, **given})
+        known = {**arms.of_device(device), **given}
+        if "mass" not in known:
+            name = arms.device(device).name
+            raise ValueError(f"mass: is not published of the {name}; give one in kg")
+        return cls(**known)
 
     @staticmethod
     def devices() -> dict[str, dict[str, float | str | None]]:
@@ -201,7 +197,7 @@ class Scene(DeviceLoop):
         """
         if self.arm is not None:
             raise ValueError(
-                f"arm: {shown(arm)} beside {self.arm!r} is not allowed; "
+                f"arm: {shown(arm)} would be a second arm beside {self.arm!r}; "
                 "use scene.device.held_by(...) for another arm"
             )
         return replace(self, arm=checked(arm, self.rotary))
@@ -713,7 +709,7 @@ class Scene(DeviceLoop):
         from symhaptic.scene.picture import draw, new_axes
 
         if (K is None) != (B is None):
-            raise ValueError(f"K: {K!r} with B={B!r} is not allowed; give both or none")
+            raise ValueError(f"K: {K!r} with B={B!r} is no wall; give both or neither")
         wall = None
         if K is not None and B is not None:
             wall = number("K", K, self.unit("N/m")), number("B", B, self.unit("N*s/m"))
@@ -826,7 +822,11 @@ class Scene(DeviceLoop):
         self.refuse_further("simplest, whose proofs are of the paper's loop")
         if (mass if self.rotary else inertia) is not None:
             name, allowed = ("mass", "inertia") if self.rotary else ("inertia", "mass")
-            raise ValueError(f"{name}: is not allowed for this device; give its {allowed}")
+            raise ValueError(
+                f"{name}: this device has an {allowed}; give {allowed}="
+                if allowed == "inertia"
+                else f"{name}: this device has a {allowed}; give {allowed}="
+            )
         over = {"mass": mass, "inertia": inertia, "damping": damping}
         m, b, k = self.coupled
         loop = Loop(self.parts, self.periods, self.sampling_period, m, k, b, self.unit)

@@ -164,10 +164,7 @@ def simulate(
     count = _periods(number("duration", duration, "s", "> 0"), period)
     start = tuple(
         number(name, value, _unit(scene, unit))
-        for name, value, unit in (
-            ("position0", position0, "m"),
-            ("velocity0", velocity0, "m/s"),
-        )
+        for name, value, unit in (("position0", position0, "m"), ("velocity0", velocity0, "m/s"))
     )
     if isinstance(samples_between, bool) or not isinstance(samples_between, int):
         raise ValueError(f"samples_between: {shown(samples_between)} is not allowed; give an int")

@@ -80,9 +80,7 @@ def sympy_system(scene: DeviceLoop) -> Any:
     mass, damping, stiffness = map(_exact, scene.coupled)
     period = _exact(scene.sampling_period)
     exact = plant.Plant(
-        sp.S.One,
-        damping * period / mass or None,
-        stiffness * period**2 / mass or None,
+        sp.S.One, damping * period / mass or None, stiffness * period**2 / mass or None
     )
     delay = sp.Rational(*scene.periods.as_integer_ratio())
     steps = sp.floor(delay)

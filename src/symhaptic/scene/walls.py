@@ -82,7 +82,7 @@ def _certified(
     if scene.further:
         raise ValueError(
             "certified: True is not allowed for a loop with a filter, an actuator, a second or a "
-            "virtual mass, or another integrator; leave it out"
+            "virtual mass, or another integrator; leave certified out"
         )
     from flint import fmpq
 
@@ -143,8 +143,8 @@ def stable_delays(scene: DeviceLoop, K: Any, B: Any, up_to: Any) -> tuple[tuple[
         raise ValueError(f"up_to: {up_to!r} is not allowed; give at most {most}")
     if scene.integrator != "hold":
         raise ValueError(
-            f"integrator: {scene.integrator!r} is not allowed for windows of the delay; "
-            "a simulator has no time between its steps"
+            f"integrator: {scene.integrator!r} has no windows of the delay, because a simulator "
+            "knows its steps only; give integrator='hold'"
         )
     found = scene.engine.stable_delays(alpha, beta, 0.0, periods)
     return tuple((low * period, high * period) for low, high in found)
@@ -276,7 +276,7 @@ class PassiveWalls(Shape):
 
     @property
     def max_stiffness(self) -> Stiffness:
-        """The stiffest passive wall."""
+        """The passive wall of maximum stiffness."""
         return max_passive_stiffness(self.scene)
 
     def contains(self, K: ArrayLike, B: ArrayLike) -> Any:
@@ -313,14 +313,14 @@ def passive_region(scene: DeviceLoop, corners: int = 400) -> PassiveWalls:
 
 
 def max_stable_stiffness(scene: DeviceLoop) -> Stiffness:
-    """The stiffest stable wall of any damping."""
+    """The stable wall of maximum stiffness of any damping."""
     if scene.further:
         return Stiffness(*scene.limit(*scene.engine.trace.max_stiffness))
     return Stiffness(*scene.limit(*extremes.max_stable_stiffness(*scene.dimensionless)))
 
 
 def max_passive_stiffness(scene: DeviceLoop) -> Stiffness:
-    """The stiffest passive wall of any damping, of the device alone (3)."""
+    """The passive wall of maximum stiffness of any damping, of the device alone (3)."""
     alone = scene.device
     _, delta, delay = alone.dimensionless
     if scene.further:

@@ -61,8 +61,8 @@ def plan_of(
         if along.count(dim) > 1:
             raise ValueError(f"over: {shown(over)} is not allowed; give each dimension once")
     if bool(along) != bool(reduced):
-        raise ValueError(f"over: {along!r} with reduce={reduced!r} is not allowed; "
-                         "give both or none")  # fmt: skip
+        raise ValueError(f"over: {along!r} with reduce={reduced!r} is incomplete; "
+                         "give both or neither")  # fmt: skip
     stay = {d: n for d, n in sizes.items() if d not in along}
     first = {n: coords[n].values.reshape(-1)[0] for n in given}
     variables = tuple(
@@ -72,8 +72,8 @@ def plan_of(
     )
     kept = {n for n, c in coords.items() if not set(c.dims) & set(along)}
     for taken in {v.name for v in variables} & {*stay, *kept}:
-        raise ValueError(f"{taken}: a dimension or coordinate of this name is not allowed; "
-                         "a result has this name")  # fmt: skip
+        raise ValueError(f"{taken}: a result has the name of this dimension or coordinate; "
+                         "rename the dimension or coordinate")  # fmt: skip
     lengths = lengths_of(stay, {d: sizes[d] for d in along}, _chunks(chunks, stay))
     dataset = xarray.Dataset(coords=coords)
     return Plan(work, tuple(given), dataset, tuple(stay), along, variables, lengths)
@@ -98,7 +98,7 @@ def _words(name: str, value: str | Sequence[str]) -> tuple[str, ...]:
 def _of_scene(scene: Scene, work: Work, given: Mapping[str, Any]) -> dict[str, Any]:
     """The given arguments, and the scene's own for the others; masses are those of the device."""
     if "delay" in given and "delay_samples" in given:
-        raise ValueError("delay_samples: beside delay= is not allowed; give one of them")
+        raise ValueError("delay_samples: excludes delay=; give one of them")
     found: dict[str, Any] = dict(given)
     for name in work.arguments:
         if name == "delay":
@@ -115,7 +115,9 @@ def _named(work: Work, given: Mapping[str, Any]) -> None:
     allowed = [*work.arguments, *(["delay_samples"] if work.in_si else [])]
     for name in given:
         if name not in allowed or (name == "delay_samples" and "delay" not in work.arguments):
-            raise ValueError(f"{name}: is not allowed; {suggested(name, allowed)}")
+            raise ValueError(
+                f"{name}: this quantity has no such argument; {suggested(name, allowed)}"
+            )
     lacking = [n for n in work.arguments if n not in given]
     lacking = [n for n in lacking if n != "delay" or "delay_samples" not in given]
     if lacking:

@@ -129,11 +129,7 @@ def stiffest(
 
 
 def delay_margin(
-    scene: Scene | None = None,
-    *,
-    K: Range | None = None,
-    B: Range | None = None,
-    points: int = 100,
+    scene: Scene | None = None, *, K: Range | None = None, B: Range | None = None, points: int = 100
 ) -> Figure:
     """Delay margin of walls: the delay that may be added to that of the scene.
 

@@ -251,7 +251,7 @@ def _together(arm: Arm, name: str, values: Any) -> Any:
 
 
 def _scaled(name: str, si: Mapping[str, Any]) -> Any:
-    """An argument without units; whole delays written in decimals stay whole."""
+    """An argument without units; integer delays written in decimals stay whole."""
     period, mass = si["sampling_period"], si["mass"]
     if name == "delay":
         late = _periods(si["delay"], period) if "delay" in si else si["delay_samples"]
@@ -308,7 +308,7 @@ def work_of(
         own = scene
         if name not in _ASKED:
             raise ValueError(
-                f"quantity: {name} of a scene with {scene.further[0]} is not allowed; "
+                f"quantity: {name} is not available for a scene with {scene.further[0]}; "
                 f"give one of {', '.join(_ASKED)}"
             )
     return Work(
@@ -380,11 +380,14 @@ def _in_si(result: Result, rotary: bool) -> Result:
 
 def _own(quantity: Any, words: Mapping[str, Any], in_si: bool) -> Work:
     if not callable(quantity):
-        allowed = suggested(quantity, QUANTITIES) if isinstance(quantity, str) else "functions are"
+        allowed = (
+            suggested(quantity, QUANTITIES) if isinstance(quantity, str) else "give a function"
+        )
         raise ValueError(f"quantity: {shown(quantity)} is not allowed; {allowed}")
     if in_si:
         raise ValueError(
-            f"scene: is not allowed with {shown(quantity)}; give one of {', '.join(QUANTITIES)}"
+            f"scene: your function {shown(quantity)} takes none; give one of "
+            f"{', '.join(QUANTITIES)}"
         )
     names = [n for n in inspect.signature(quantity).parameters if n not in words]
     name = getattr(quantity, "__name__", "quantity")

@@ -54,8 +54,8 @@ def store(to: str | Path) -> Store:
         needed("symhaptic.sweep to Parquet files", "pyarrow", extra="sweep")
         return Parquet(place)
     raise ValueError(
-        f"to: {place!r} is not allowed; give a name that ends in .zarr, or a folder's that "
-        "ends in .parquet"
+        f"to: {place!r} is not allowed; give a name that ends in .zarr, or the name of a folder "
+        "that ends in .parquet"
     )
 
 
@@ -104,7 +104,7 @@ def _beside(place: Path) -> Iterator[Path]:
     except (OSError, ValueError) as wrong:
         reason = wrong.strerror if isinstance(wrong, OSError) else wrong
         raise ValueError(
-            f"to: {str(place)!r} is not allowed; it cannot be made there ({reason}); "
+            f"to: {str(place)!r} cannot be made there ({reason}); "
             "give a name in a folder that can be written"
         ) from None
     with stack:
@@ -142,9 +142,7 @@ class Store:
             if text is not None:
                 return self._same(plan, text)
             if local:
-                raise ValueError(
-                    f"to: {self.place!r} is not allowed; it is there and holds no sweep"
-                )
+                raise ValueError(f"to: {self.place!r} exists and holds no sweep; give another name")
         self._refuse_labels(plan.labels)
         if not local:
             return self._make(self.place, plan)
@@ -164,8 +162,8 @@ class Store:
                   if labels.get(name) != known.get(name)]  # fmt: skip
         if other:
             raise ValueError(
-                f"to: {self.place!r} is not allowed; it holds another sweep, which differs in "
-                f"{', '.join(other)}"
+                f"to: {self.place!r} holds another sweep, which differs in {', '.join(other)}; "
+                "give another name"
             )
         self._refuse_damage(files)
 

@@ -104,7 +104,9 @@ def sweep(
     total = int(np.prod(plan.grid))
     if to is not None:
         if lazy:
-            raise ValueError(f"lazy: {lazy!r} beside to={shown(to)} is not allowed; give one")
+            raise ValueError(
+                f"lazy: {lazy!r} and to={shown(to)} exclude each other; give one of them"
+            )
         place = store(to)
         place.begin(plan)
         if next(place.missing(plan), None) is not None:

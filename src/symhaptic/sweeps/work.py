@@ -59,7 +59,7 @@ def executor(on: Any, workers: int | None) -> Iterator[Executor]:
             watched.close()
         return
     if workers is not None:
-        raise ValueError(f"workers: {workers!r} is not allowed with {shown(on)}, which has its own")
+        raise ValueError(f"workers: {shown(on)} has its own workers; leave workers={workers!r} out")
     if hasattr(on, "get_executor"):
         client = on.get_executor(pure=False)
         try:

@@ -6,10 +6,10 @@ The numbers are random; no device has to have them.
 import numpy as np
 import pytest
 
-from symhaptic.numeric.crossings import Wall
-from symhaptic.numeric.plant import Device
+from symhaptic.numeric.crossings import Wall, wall
+from symhaptic.numeric.plant import Device, device
 from symhaptic.numeric.tracing import directions
-from symhaptic.numeric.tracing.bands import Bands, Part
+from symhaptic.numeric.tracing.bands import Bands, Part, part_of, slopes
 
 COUNT = 60
 MIDDLE, CORNERS = np.array([[0]]), np.array([[1 + 1j], [1 - 1j], [-1 + 1j], [-1 - 1j]])
@@ -60,3 +60,29 @@ def test_a_direction_holds_in_every_corner_and_is_said_where_all_are_clear(error
         clear += np.count_nonzero(off < np.abs(middle[0]) / 8)
     assert said >= clear > 0
     assert said < 5 * COUNT or error < 0.01
+
+
+def test_the_boxes_are_around_the_numbers_that_the_roots_move_with(monkeypatch):
+    """M/z and W at z = exp(j theta), by their coefficients, and their slopes by ln z."""
+    rng, boxes, made = np.random.default_rng(8), [], directions._box
+    monkeypatch.setattr(directions, "_box", lambda *a: boxes.append(made(*a)) or boxes[-1])
+    gamma, delta, alpha, beta = rng.uniform(0.1, 9, (4, COUNT))
+    middle, theta, none = rng.uniform(0, 1, COUNT), rng.uniform(0.1, 3, COUNT), np.zeros(COUNT)
+    part = part_of(device(gamma, delta), gamma, delta, middle, none)
+    y, z = 2 - 2 * np.cos(theta), np.exp(1j * theta)
+    bands = Bands(
+        np.arange(COUNT), part, wall(alpha, beta), y, y, y, y, y, 4 - y, *[none] * 3, y, z.imag
+    )
+    directions.one_way(bands, none)
+    _, turned, pushed, round_, force, shape, rise = (box.center for box in boxes)
+    m2, m1, m0, e = part.x.m2, part.x.m1, part.x.m0, part.x.e
+    by_m2, by_m0 = slopes(gamma, delta, middle)
+    for found, true in (
+        (turned, z - e / z),
+        (pushed, (alpha + beta) * z - beta),
+        (round_, (alpha + beta) * z),
+        (force, m2 * z + m1 + m0 / z),
+        (shape, m2 * z - m0 / z),
+        (rise, by_m2 * (z - 1) + by_m0 * (1 / z - 1)),
+    ):
+        assert np.allclose(found, true, rtol=0, atol=1e-12)

@@ -5,6 +5,8 @@ import pytest
 from oracle import principal, principal_outside, radius
 
 from symhaptic import is_stable, limit_at, max_stable_stiffness, stable_region
+from symhaptic.balls import winding
+from symhaptic.numeric.tracing import extremes
 from symhaptic.numeric.tracing.arcs import Loop
 from symhaptic.numeric.tracing.extremes import dampings_at, stiffest_at
 from symhaptic.numeric.tracing.region import farthest
@@ -185,3 +187,56 @@ def test_a_corner_next_to_pi_is_told_by_its_other_angle(delta, off, stiffest):
     found = max_stable_stiffness((np.pi + off) ** 2, delta, 1)
     assert found.alpha == pytest.approx(stiffest, rel=1e-14)
     assert found.beta == pytest.approx(-stiffest / 2, rel=1e-5)
+
+
+def test_at_whole_delays_both_sheets_have_the_same_stiffest_wall():
+    """z^-d has one value there; found by the kernel, and by a search in Python."""
+    rng = np.random.default_rng(32)
+    gamma, delta = rng.uniform(0, 9.8, 60), rng.uniform(0, 3, 60) * rng.choice([0, 1], 60)
+    for delay in (0, 1):
+        exact = max_stable_stiffness(gamma, delta, delay)
+        assert np.isfinite(exact.alpha).any()
+        for one, other in zip(
+            max_stable_stiffness(gamma, delta, delay, sheet="principal"), exact, strict=True
+        ):
+            assert one == pytest.approx(other, rel=1e-6, nan_ok=True)
+
+
+def dampings(rng, count):
+    """Dampings beside that of the stiffest wall, of devices of all kinds."""
+    gamma = rng.choice([0.0, 1e-3, 9.0], count) * rng.random(count)
+    delta = rng.choice([0.0, 0.02, 2.0], count) * rng.random(count)
+    delay = rng.choice([0.0, 1.0, 2.0, 5.0, 0.5, 3.7], count)
+    beta = max_stable_stiffness(gamma, delta, delay).beta * rng.uniform(-0.2, 3, count)
+    beta = np.where(rng.random(count) < 0.1, 10.0 ** rng.uniform(-300, -3, count), beta)
+    return beta, gamma, delta, delay
+
+
+@pytest.mark.skipif(extremes.MODULE is None, reason="the install found no compiler")
+def test_limits_without_tracing_are_those_of_the_whole_boundary(monkeypatch):
+    """And balls find the wall below stable, that above not, nor walls up to the stiffest of all."""
+    loops = dampings(np.random.default_rng(5), 150)
+    quick = extremes.MODULE.limit_at(*loops)[0]
+    monkeypatch.setattr(extremes, "MODULE", None)
+    known = np.flatnonzero(np.isfinite(quick))
+    assert known.size > 60
+    for i in known:
+        alpha, (beta, *loop) = float(quick[i]), [float(a[i]) for a in loops]
+        try:
+            traced = extremes.stiffest_at(beta, *loop).alpha
+        except ValueError:  # of dampings that are hardly any, it does not find the boundary
+            traced = alpha
+        off = 1e-11 * (abs(alpha) + loop[0])
+        assert abs(alpha - traced) < off
+        top = max(max_stable_stiffness(*loop).alpha * 1.01 - alpha, 0.0)
+        verdicts = [winding.stable(alpha + x, beta, *loop) for x in (-off, off, top / 3, top)]
+        assert verdicts[0]
+        assert not any(verdicts[1:])
+
+
+@pytest.mark.skipif(extremes.MODULE is None, reason="the install found no compiler")
+@pytest.mark.parametrize("beta", [0.0, -0.0, 5e-324, 1e300, np.inf, np.nan, 2.0, -1.0])
+def test_dampings_that_no_wall_has_give_no_quick_limit(beta):
+    """A free mass is stable for 0 < beta < 2 alone, by Jury's conditions."""
+    assert np.isnan(extremes.MODULE.limit_at(beta, 0.0, 0.0, [0.0, 1e6, 0.5])[0][0])
+    assert np.isnan(extremes.MODULE.limit_at(0.1, [np.nan, -1.0, 1e9], 0.0, 0.0)[0]).all()

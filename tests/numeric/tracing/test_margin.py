@@ -410,7 +410,7 @@ def test_after_very_many_periods_a_root_leaves(loop):
 
 
 def test_long_work_is_told_on_a_terminal_only(capsys, monkeypatch):
-    walls = np.full(30000, 9.0)
+    walls = np.full(40000, 9.0, dtype=np.float32)
     delay_margin(walls, 0.05, 0.0, 0.0)
     assert capsys.readouterr() == ("", "")
     monkeypatch.setattr("sys.stderr.isatty", lambda: True)

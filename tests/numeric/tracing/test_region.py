@@ -8,9 +8,11 @@ import numpy as np
 import pytest
 import shapely
 from matplotlib.figure import Figure
-from oracle import all_inside, certified, coefficients, radius
+from oracle import all_inside, certified, coefficients, moduli, radius
 
 from symhaptic import Scene, robust_region, stability_boundary, stable_region
+from symhaptic.numeric.tracing.arcs import Loop
+from symhaptic.numeric.tracing.sides import chords
 
 matplotlib.use("Agg")
 
@@ -206,7 +208,7 @@ def test_regions_are_compared_by_what_they_are_of():
         ((0.0, np.nan), "beta: nan is not allowed; give finite numbers"),
         ((np.inf, 0.0), "alpha: inf is not allowed; give finite numbers"),
         (([1.0, 2.0], 0.0), "alpha: .* is not allowed; give one number"),
-        ((0.0, 0.0), "alpha: 0.0 beside beta=0.0 is not allowed; give a direction"),
+        ((0.0, 0.0), "alpha: 0.0 with beta=0.0 is no direction; give one"),
     ],
 )
 def test_what_is_no_direction_is_named(direction, said):
@@ -283,3 +285,28 @@ def test_next_to_half_swings_a_corner_is_where_certified_roots_leave():
             inside += there
             assert there == all_inside(alpha, beta, gamma, delta, delay), (alpha, beta)
     assert inside > 20
+
+
+def test_axes_without_labels_get_those_of_the_plane_and_others_keep_theirs():
+    figure = Figure()
+    one, other = figure.subplots(1, 2)
+    other.set_ylabel("mine")
+    region = stable_region(0.001, 0.02, 1)
+    for axes in (one, other):
+        region.plot(axes)
+    assert (one.get_xlabel(), one.get_ylabel()) == region.labels
+    assert (other.get_xlabel(), other.get_ylabel()) == ("", "mine")
+
+
+def test_where_nothing_is_stable_there_are_no_corners():
+    empty = stable_region(np.pi**2, 0.0, 1)
+    assert empty.area == 0
+    assert empty.corners.shape == (0, 2)
+
+
+@pytest.mark.parametrize("delay", [0.0, 1.0, 2.5])
+def test_every_chord_of_the_boundary_ends_at_walls_with_a_root_on_the_circle(delay):
+    ends = chords(Loop(0.5, 0.3, delay), (-1.0, -3.0, 8.0, 8.0), 1e-3).reshape(-1, 2)
+    assert len(ends) > 20
+    for wall in ends:
+        assert np.abs(moduli(*wall, 0.5, 0.3, delay) - 1).min() < 1e-6

@@ -43,12 +43,7 @@ _NOTHING = 3.0
 """Where an error stands that is larger than the largest term."""
 
 _LEAST = 1e-56
-_DIGITS = {
-    "float32": 2.0**-23,
-    "float64": 2.0**-52,
-    "30 digits": 1e-29,
-    "50 digits": 1e-49,
-}
+_DIGITS = {"float32": 2.0**-23, "float64": 2.0**-52, "30 digits": 1e-29, "50 digits": 1e-49}
 
 
 def drawings(record: dict[str, Any]) -> dict[str, tuple[Any, tuple[int, int], float]]:

@@ -7,11 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from symhaptic.book.figures.passivity import COLOURS
-from symhaptic.numeric.passivity import (
-    max_passive_stiffness,
-    passivity_boundary,
-    passivity_margin,
-)
+from symhaptic.numeric.passivity import max_passive_stiffness, passivity_boundary, passivity_margin
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -164,10 +164,7 @@ _METADATA: dict[str, Any] = {
 
 
 def save(
-    draw: Callable[..., None],
-    target: Path,
-    panels: tuple[int, int] = (1, 1),
-    height: float = 0.62,
+    draw: Callable[..., None], target: Path, panels: tuple[int, int] = (1, 1), height: float = 0.62
 ) -> None:
     """Draw a figure into a file, PDF, SVG or PNG, that is the same from run to run.
 

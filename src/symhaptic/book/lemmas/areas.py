@@ -1,14 +1,11 @@
 """Polygons inside and around the stable regions of one arm, for integer delays."""
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.figure9 import right_of_the_line
 from symhaptic.book.lemmas.more_damped import more_damped_is_stable
 from symhaptic.book.lemmas.outpaced import at_point, on_this_side
-from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.polygon import all_stable
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.spring_box import bounds
-from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant
 from symhaptic.paper.propositions import areas
 from symhaptic.paper.propositions.ratio import ARM
 
@@ -31,12 +28,8 @@ PLANT: areas.Wall = (ARM[gamma], ARM[delta])
 @cache
 def lowest(delay: int) -> Theorem:
     """A first minor of Hurwitz' is positive for every stable wall: linear in alpha and beta."""
-    loops = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, S(delay)))
-    loop: Any = conjunct(loops, loops.conclusion.parts[1])
-    zeros = mp(loop, assume(loop.conclusion.of[0]))
-    found = first_minors(zeros, 1)
-    first, second = conjuncts(found.conclusion)
-    assert first
+    found = first_minors(zeros_of_stable(alpha, beta, gamma, delta, S(delay)), 1)
+    _, second = conjuncts(found.conclusion)
     return closed(conjunct(found, second), fact(whole(S(delay))))
 
 
@@ -59,8 +52,7 @@ def above_the_line(delay: int, side: areas.Side) -> Theorem:
         [at_point(steep, HERE), positive(alpha + gamma > 0, [right])],
         [at_point(room, HERE)],
     )
-    found = over((c - p * alpha - q * beta) / -q > 0, product, heavy)
-    return closed(found, not_zero(heavy))
+    return closed(over((c - p * alpha - q * beta) / -q > 0, product, heavy), not_zero(heavy))
 
 
 @cache
@@ -80,8 +72,7 @@ def around(delay: int) -> Theorem:
     for side, theorem in zip((low, *others), shown, strict=True):
         share = S.One if side is not low else -low[1]
         known.append(combined(areas.within([side])[0], [share, theorem]))
-    found = of_every_plant(conj(*known))
-    there = numbers_known(inst(found, ARM))
+    there = numbers_known(inst(of_every_plant(conj(*known)), ARM))
     claim: Any = areas.in_polygon(delay, areas.outer(delay)).at(ARM)
     return for_all((alpha, beta), [claim.body.of[0]], there)
 

@@ -1,6 +1,5 @@
 """The signs of an arm's numbers, for all arms that swing by less than half a turn in a period."""
 
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import linear
 from symhaptic.proof.theorems.analysis import grows
@@ -9,9 +8,9 @@ from symhaptic.proof.theorems.samples import after_a_blow
 SLOW = Relation(gamma - delta**2 / 4, "<", pi**2)
 ARM = (DEVICE, gamma >= 0, delta >= 0, SLOW)
 TOTAL = n_1 + n_0
-NUMBERS = linear.numbers(Sampled(n_1, n_0, a, e))
+BY_NUMBERS = linear.numbers(Sampled(n_1, n_0, a, e))
 """nu, s_1 and s_2 by the numbers of the sampled device."""
-GAP = (s_1 - delta - gamma / 2).xreplace(NUMBERS)
+GAP = (s_1 - delta - gamma / 2).xreplace(BY_NUMBERS)
 _PLACE = Symbol("q")
 
 
@@ -67,8 +66,8 @@ def share() -> tuple[Theorem, Theorem]:
     """0 < nu <= 1/2."""
     _, second, less = pushed()
     return (
-        over(NUMBERS[nu] > 0, second, together()),
-        over(NUMBERS[nu] <= HALF, positive(n_1 / 2 >= n_0 / 2, [HALF, less]), together()),
+        over(BY_NUMBERS[nu] > 0, second, together()),
+        over(BY_NUMBERS[nu] <= HALF, positive(n_1 / 2 >= n_0 / 2, [HALF, less]), together()),
     )
 
 
@@ -87,7 +86,7 @@ def mass() -> Theorem:
         [zero, -n_1 * n_0],
     )
     cube = positive(sp.expand(TOTAL**3) > 0, [together()] * 3)
-    found = over(NUMBERS[s_2] > 0, value, cube)
+    found = over(BY_NUMBERS[s_2] > 0, value, cube)
     return closed(found, positive(sp.Ne(TOTAL, 0), [together()]))
 
 
@@ -102,8 +101,7 @@ def gap(strict: bool = False) -> Theorem:
     given = (DEVICE, gamma >= 0, SLOW)
     implied = Implies((both(given), claim))
     free = disch(add_assum(_undamped(), *(undamped(p) for p in given)), *map(undamped, given))
-    found = damped_or_not(implied, disch(add_assum(damped, *given), *given), free)
-    return undisch(found)
+    return undisch(damped_or_not(implied, disch(add_assum(damped, *given), *given), free))
 
 
 def undamped(claim: object) -> Proposition:
@@ -168,8 +166,8 @@ def _undamped() -> Theorem:
 @cache
 def signs() -> Theorem:
     """0 < nu <= 1/2, 0 < s_2, delta + gamma/2 <= s_1, and < for 0 < gamma delta."""
-    line = positive(delta + gamma / 2 <= NUMBERS[s_1], [gap()])
-    above = positive(delta + gamma / 2 < NUMBERS[s_1], [gap(strict=True)])
+    line = positive(delta + gamma / 2 <= BY_NUMBERS[s_1], [gap()])
+    above = positive(delta + gamma / 2 < BY_NUMBERS[s_1], [gap(strict=True)])
     product = assume(gamma * delta > 0)
     parts = [_positive(s, product) for s in (gamma, delta)]
     strict = disch(closed(above, *parts), gamma * delta > 0)

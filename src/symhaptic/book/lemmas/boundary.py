@@ -1,6 +1,5 @@
 """The walls that put a zero of the loop at exp(j theta), and where that curve begins."""
 
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.stability import SQUARE, at_angle, damping, on_boundary, stiffness
 

@@ -71,11 +71,6 @@ def _rises() -> Theorem:
 bend = lemma(_bent(psi) > 0, _rises)
 
 
-def not_zero(theorem: Theorem) -> Theorem:
-    """e != 0 from 0 < e."""
-    return positive(Relation(theorem.conclusion.right, "!=", S.Zero), [theorem])  # type: ignore[attr-defined]
-
-
 def lowest_coefficients(theorem: Theorem, sine_: Theorem, angle: Expr) -> list[Theorem]:
     """That multiples of 0 < sin x and powers of exp(j x), as series leave them, are not zero."""
     found = []

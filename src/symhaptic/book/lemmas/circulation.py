@@ -4,11 +4,11 @@ from sympy import cancel
 
 from symhaptic.book.lemmas.linear_part import margin_below
 from symhaptic.book.lemmas.passive_is_stable import MARGIN, passive_is_stable
-from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.scaling import moved
 from symhaptic.proof.theorems.definitions import loop
-from symhaptic.rules.claims import EXACT, STABLE, UNITS
+from symhaptic.rules.claims import EXACT, UNITS
+from symhaptic.rules.claims import STABLE as STABLE_IN_UNITS
 
 FREE = (alpha, beta, S.Zero, S.Zero, S.Zero)
 """A free mass without delay."""
@@ -51,8 +51,7 @@ def twice_the_damping(rule: Any) -> Theorem:
     damped = here.show(b > 0), here.show(2 * b - K * T >= 0)
     place = Symbol("q")
     at_once = subst(whole(place), place, fact(whole(0)), show(Eq(S.Zero, d), Eq(d, 0)))
-    found = _stable(margins, *damped, Eq(B, 0))
-    return SI.closed(closed(found, at_once))
+    return SI.closed(closed(_stable(margins, *damped, Eq(B, 0)), at_once))
 
 
 @cache
@@ -79,7 +78,7 @@ def free_mass() -> Theorem:
     return chained(meaning, jury(zeros.of[0], z))
 
 
-STILL = STABLE.at({k: S.Zero, b: S.Zero, d: S.Zero})
+STILL = STABLE_IN_UNITS.at({k: S.Zero, b: S.Zero, d: S.Zero})
 """A free mass without delay, in SI units."""
 
 NOTHING = [Eq(s, 0) for s in (k, b, d)]
@@ -94,13 +93,13 @@ def _inequalities() -> Theorem:
 def never_undamped() -> Theorem:
     """No stiffness K > 0 keeps a free mass stable without virtual damping."""
     known = [None, None, *map(assume, NOTHING)]
-    there = mp(_inequalities(), moved(assume(STABLE), STILL, known))
+    there = mp(_inequalities(), moved(assume(STABLE_IN_UNITS), STILL, known))
     *_, minor = (conjunct(there, p) for p in there.conclusion.of)  # type: ignore[attr-defined]
     least = minor.conclusion.right  # type: ignore[attr-defined]
     spring, none = SI.show(K * T**2 / m > 0, K > 0), assume(Eq(B, 0))
     rest = cancel((least + K * T**2 / (2 * m)) / B)
     denial = combined(Relation(least, "<=", S.Zero), [HALF, spring], [none, rest])
-    return SI.closed(not_intro(minor, denial, STABLE))
+    return SI.closed(not_intro(minor, denial, STABLE_IN_UNITS))
 
 
 @cache
@@ -111,7 +110,7 @@ def damped_contact(rule: Any) -> Theorem:
     room = here.show(2 * B * (2 * m - B * T) - K * T * (2 * m + B * T) > 0, T * (2 * m + B * T) > 0)
     still = mp(wanted, SI.and_(K > 0, B > 0).show(wanted.conclusion.of[1], room, degree=4))  # type: ignore[attr-defined]
     known = [None, None, *map(assume, NOTHING)]
-    return here.closed(moved(still, STABLE, known))
+    return here.closed(moved(still, STABLE_IN_UNITS, known))
 
 
 def outside(point: Mapping[Symbol, Expr]) -> Theorem:

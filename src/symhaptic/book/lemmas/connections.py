@@ -44,8 +44,7 @@ def fed_back() -> Theorem:
 def no_chain() -> Theorem:
     """n = 3 => anything, for n < 3."""
     never = combined(KIND >= CHAIN, [assume(Eq(KIND, CHAIN)), -1])
-    claim = contr(not_intro(assume(NO_CHAIN), never), REAL[CHAIN] >= 0)
-    return disch(claim, Eq(KIND, CHAIN))
+    return disch(contr(not_intro(assume(NO_CHAIN), never), REAL[CHAIN] >= 0), Eq(KIND, CHAIN))
 
 
 @cache
@@ -73,8 +72,7 @@ def passive_wall_is_stable() -> Theorem:
         combined(d - l < 1, [assume(d < l + 1)]),
         assume(PASSIVE_WALL),
     ]
-    found = at(late_passive_is_stable(), behind, *given)
-    return choose(turns, found)
+    return choose(turns, at(late_passive_is_stable(), behind, *given))
 
 
 def stays_on_circle(point: Mapping[Expr, Expr], angle: Expr) -> Theorem:

@@ -5,17 +5,9 @@ n_0 and delta.
 """
 
 from symhaptic.book.lemmas.arm_numbers import pushed
-from symhaptic.book.lemmas.chords import not_zero
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
-from symhaptic.book.lemmas.stiffest_stable import (
-    damping_between,
-    inequalities,
-    numbers_known,
-    on_box,
-    towards,
-)
+from symhaptic.book.lemmas.stiffest_stable import damping_between, inequalities, on_box, towards
 from symhaptic.proof.theorems.samples import after_a_blow
 
 FREE = {gamma: S.Zero}

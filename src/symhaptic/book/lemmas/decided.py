@@ -19,14 +19,12 @@ def decided_by(stable: Predicate, *bounds: Any, given: tuple[Any, ...] = ()) -> 
     known = here.and_(*(conjunct(inside, p) for p in wanted.parts))
     there = [known.show(bound) for bound in bounds]
     back = mp(criterion, here.and_(*bounds).show(wanted))
-    found = there[0] if len(there) == 1 else conj(*there)
-    return either_way(back, found, both(bounds), stable)
+    return either_way(back, there[0] if len(there) == 1 else conj(*there), both(bounds), stable)
 
 
 def escapes(stable: Proposition, point: Mapping[Any, Any]) -> Theorem:
     """That a loop in numbers is not stable, by a ball around a zero outside."""
-    there = stable.at(point)
-    return root_outside(there.terms[0], z)
+    return root_outside(stable.at(point).terms[0], z)
 
 
 def in_z(ratio: tuple[Sequence[Any], Sequence[Any], int]) -> Expr:

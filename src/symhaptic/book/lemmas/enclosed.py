@@ -1,7 +1,7 @@
 """Walls that no boundary separates from a stable wall are stable, for every plant and integer
 delay."""
 
-from symhaptic.book.lemmas.passive_is_stable import LOOP, NUMBERS
+from symhaptic.book.lemmas.passive_is_stable import LOOP
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.plots import enclosed
 from symhaptic.paper.propositions.stability import START, WAY
@@ -12,8 +12,7 @@ def enclosed_walls_are_stable() -> Theorem:
     """The claim ``enclosed``: on the way no zero crosses the circle, so that all stay inside."""
     given = taken_apart(enclosed())[1]
     _, begin, free = given
-    readings = loop_of_device(NUMBERS, LOOP)
-    loop = conjunct(readings, readings.conclusion.parts[1])
+    loop = by_zeros(*LOOP)
     there: Any = loop.conclusion.parts[1].terms[0]
     here = there.subs(dict(zip((alpha, beta), START, strict=True)), simultaneous=True)
     first = inst(loop, dict(zip((alpha, beta), START, strict=True)))
@@ -25,6 +24,4 @@ def enclosed_walls_are_stable() -> Theorem:
     ends = [number(Relation(S.Zero, "<=", S.Zero)), number(Relation(S.Zero, "<=", pi))]
     static = at(assume(free), {share: share, angle: S.Zero}, *way, *ends)
     found = roots_stay(here, there - here, z, share, angle, crossing, static, inside)
-    steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
-    found = closed(mp(loop, found), *steps)
-    return as_claimed(enclosed(), found)
+    return as_claimed(enclosed(), closed(mp(loop, found), *LATER_WHOLE))

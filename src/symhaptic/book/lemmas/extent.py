@@ -49,8 +49,7 @@ def weak_sine(angle: Expr) -> Theorem:
     below = strictly(assume(x <= pi), assume(Ne(x, pi)))
     inside = disj_cases(decided(x, pi), end, closed(inside, below))
     above = closed(inside, strictly(assume(x >= 0), combined(Ne(S.Zero, x), [assume(Ne(x, 0))])))
-    found = disj_cases(decided(x, S.Zero), start, above)
-    return inst(found, {x: angle})
+    return inst(disj_cases(decided(x, S.Zero), start, above), {x: angle})
 
 
 REST = N * psi - 2 * pi * l

@@ -6,7 +6,6 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import LIMIT, SPRUNG, least
 from symhaptic.book.lemmas.region import limits, pushes
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import beside, from_bound
 from symhaptic.paper.propositions import far_higher
 from symhaptic.paper.propositions.far_higher import (

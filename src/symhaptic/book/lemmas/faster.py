@@ -5,7 +5,6 @@ from symhaptic.book.lemmas.figure9 import valued
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import least
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, from_bound, passive_walls
 from symhaptic.paper.propositions.conclusion import FASTER, LITTLE
 from symhaptic.paper.propositions.ratio import BEST, WALL

@@ -1,13 +1,11 @@
 """Fig. 10: the boundary for ten plants, and the walls on it whose linear condition errs so much."""
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.figure9 import each_value, right_of_the_line
 from symhaptic.book.lemmas.one_plane import stable_curve
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.springs_alike import line_and_curve
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.bounds.linear_points import Arc, points
 from symhaptic.paper.propositions.plots import BEFORE, BESIDE, LEVELS
 from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness

@@ -3,12 +3,10 @@
 
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
-from symhaptic.book.lemmas.one_plane import stable_curve
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
+from symhaptic.book.lemmas.one_plane import not_left_of_the_line, stable_curve
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant, on_box
-from symhaptic.paper.propositions.comparison import STABLE
+from symhaptic.book.lemmas.stiffest_stable import on_box
 from symhaptic.paper.propositions.plots import BESIDE, THIN
 
 NEAR = {1: Rational(3, 10), 2: Rational(1, 4)}
@@ -46,16 +44,7 @@ def right_of_the_line() -> Theorem:
     """-gamma < alpha of a stable wall, for every arm of (23) and an integer delay."""
     pushed = on_box(n_1 + n_0, RANGES)
     static = of_device("device at rest", assume(DEVICE))
-    readings = loop_of_device(NUMBERS, LOOP)
-    loop: Any = conjunct(readings, readings.conclusion.parts[1])
-    zeros = loop.conclusion.parts[1].terms[0]
-    away = positive(-gamma - alpha >= 0, alpha <= -gamma)
-    value = combined(Relation(zeros.subs(z, 1), "<=", S.Zero), [pushed, away], [static, 1])
-    steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
-    never = of_every_plant(closed(denied_by(loop, zero_beyond(zeros, z, value)), *steps))
-    wanted = Relation(-gamma, "<", alpha)
-    outside = contr(not_intro(assume(STABLE), never), wanted)
-    return disj_cases(ordered(-gamma, alpha), assume(wanted), outside)
+    return not_left_of_the_line(static, pushed)
 
 
 def at_corner(claim: Any, corner: dict[Symbol, Expr]) -> Theorem:

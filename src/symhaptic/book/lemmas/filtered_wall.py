@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import PI, by_sign_of_damping, cosine_bounds
 from symhaptic.notation import f_v
@@ -81,8 +80,7 @@ def enough() -> Theorem:
 def decides() -> Theorem:
     """passive <=> both bounds, for K >= 0."""
     bounds = And((FAST, SLOW))
-    there = prove_hyp(enough(), assume(bounds))
-    return either_way(there, needed(), bounds, AVERAGED)
+    return either_way(prove_hyp(enough(), assume(bounds)), needed(), bounds, AVERAGED)
 
 
 @cache

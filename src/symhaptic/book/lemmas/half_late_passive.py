@@ -3,7 +3,7 @@
 from sympy import atan
 
 from symhaptic.book.lemmas.late_passivity import passive_late
-from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle, passive_by_angle
+from symhaptic.book.lemmas.passivity import at_every_angle, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 
 QUADRATIC = (
@@ -109,8 +109,7 @@ def passive_with(stiffness: Rational, damping: Rational) -> Theorem:
         [size, rest - fall**2 / (4 * bend)],
     )
     stiff = positive(spring, [stiffness, assume(b > 0), period]) if stiffness else fact(spring)
-    both_ = conj(stiff, for_all([theta], INSIDE, margin))
-    return closed(mp(found, both_), apart)
+    return closed(mp(found, conj(stiff, for_all([theta], INSIDE, margin))), apart)
 
 
 def _less_stiff(size: Theorem) -> Theorem:
@@ -168,8 +167,7 @@ def delay_helps() -> Theorem:
     """That."""
     given = [T > 0, b > 0]
     late = (_whole_denied(S(n), angle) for n, angle in ((0, 5 * pi / 6), (1, pi / 2)))
-    found = conj(passive_with(S.Zero, DAMPER), *late)
-    return for_all([b, T], given, add_assum(found, *given))
+    return for_all([b, T], given, add_assum(conj(passive_with(S.Zero, DAMPER), *late), *given))
 
 
 def _whole_denied(late: Expr, angle: Expr) -> Theorem:

@@ -1,7 +1,6 @@
 """The damping of walls that meet (5), for every real delay, and the frequency that bounds it."""
 
 from symhaptic.book.lemmas.extent import ends
-from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import DELAY, TURN, WHOLE_WALL, first_half
 

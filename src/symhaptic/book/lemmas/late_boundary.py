@@ -10,8 +10,6 @@ from symhaptic.book.lemmas.late_loop import (
     POLYNOMIAL,
     numbers_of_a_late_device,
 )
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
-from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 
 TURN = exp(I * theta)

@@ -7,7 +7,6 @@ sin^2(theta/2) the margin is b^2 + b B c - B^2 v, and by Lagrange's identity 1 +
 
 from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.late_passivity import EVERY_MARGIN, GIVEN, MARGIN, passive_late
-from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 
 DAMPER = Predicate("passive_wall", (), (S.Zero, B, b, T, l + epsilon))

@@ -1,14 +1,13 @@
 """The polynomial z^(l+2) A + M W of a loop that is late by a fraction of a period."""
 
 from symhaptic.book.lemmas.late_device import BOTTOM, TOP
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.axioms import LATE_DEVICE, LATE_NUMBERS
 from symhaptic.proof.theorems.roots import degree
 
 WALL = (alpha + beta) * z - beta
 POLYNOMIAL = z ** (l + 2) * BOTTOM + TOP * WALL
-STABLE = Predicate("stable_loop", (), (alpha, beta, gamma, delta, l + epsilon))
+LATE_STABLE = Predicate("stable_loop", (), (alpha, beta, gamma, delta, l + epsilon))
 GIVEN = (whole(l), proposition(epsilon >= 0), proposition(epsilon <= 1))
 LOOP = (alpha, beta, gamma, delta, epsilon, l)
 DEVICES = (LATE_DEVICE, DEVICE)
@@ -28,7 +27,7 @@ def late_polynomial() -> Proposition:
     """The loop is stable where all zeros lie inside; the degree is l + 4; and at the ends it is
     z times that of the delay l, and that of the delay l + 1."""
     claims = (
-        Iff((STABLE, Predicate("stable", (z,), (POLYNOMIAL,)))),
+        Iff((LATE_STABLE, Predicate("stable", (z,), (POLYNOMIAL,)))),
         Predicate("degree", (z,), (POLYNOMIAL, l + 4)),
         *(
             implied([Eq(epsilon, end)], every([z], [Ne(z, 0)], Relation(POLYNOMIAL, "=", value)))

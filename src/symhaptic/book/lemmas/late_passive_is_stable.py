@@ -2,7 +2,7 @@
 
 from symhaptic.book.lemmas.late_boundary import A, M
 from symhaptic.book.lemmas.late_device import TOP
-from symhaptic.book.lemmas.late_loop import ALL_NUMBERS, LOOP, STABLE, numbers_of_a_late_device
+from symhaptic.book.lemmas.late_loop import ALL_NUMBERS, LATE_STABLE, LOOP, numbers_of_a_late_device
 from symhaptic.book.lemmas.late_passivity import EVERY_MARGIN, MARGIN, passive_late
 from symhaptic.book.lemmas.passive_is_stable import (
     margin_to_the_end,
@@ -29,7 +29,7 @@ GIVEN = (
 
 def late_passive_walls_are_stable() -> Proposition:
     """Passive walls are stable, with every damped device and with every delay."""
-    return every(LOOP, [*GIVEN, PASSIVE], STABLE)
+    return every(LOOP, [*GIVEN, PASSIVE], LATE_STABLE)
 
 
 def _size(expr: Expr) -> Theorem:
@@ -121,7 +121,7 @@ def _behind_a_whole_delay() -> Theorem:
     passive = closed(inst(passive_by_angle(l), UNITS), fact(ONE))
     margin = conjunct(mp(passive, at_once), every_margin(l).at(UNITS))
     stable = closed(
-        conjunct(inst(passive_is_stable(), {d: l}), STABLE.at({epsilon: S.Zero})), margin
+        conjunct(inst(passive_is_stable(), {d: l}), LATE_STABLE.at({epsilon: S.Zero})), margin
     )
     back = combined(Eq(0, epsilon), [none, -S.One])
-    return subst(STABLE.at({epsilon: late}), late, stable, back)
+    return subst(LATE_STABLE.at({epsilon: late}), late, stable, back)

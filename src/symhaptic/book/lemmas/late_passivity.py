@@ -1,6 +1,6 @@
 """When is a wall passive that is late by a fraction of a period?  The condition at each angle."""
 
-from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
+from symhaptic.book.lemmas.passivity import at_every_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.energy import toeplitz
 
@@ -101,5 +101,4 @@ def needed_at_low_frequencies() -> Theorem:
     more = inside.show(epsilon * _REST * K**2 * T**2 / (4 * b) > 0)
     lost = inside.show(Relation(LOW.lhs, "<", LOW.rhs), more, LINE)
     beyond = disch(denied(lost, LOW), epsilon > 0, epsilon < 1, K > 0, LINE)
-    found = conj(disch(needed, LATE), beyond)
-    return for_all(WALL, GIVEN, add_assum(found, *GIVEN))
+    return for_all(WALL, GIVEN, add_assum(conj(disch(needed, LATE), beyond), *GIVEN))

@@ -8,10 +8,9 @@ concave it is then positive between the start and each wall at which it is posit
 from sympy import div
 
 from symhaptic.book.lemmas.arm_numbers import gap, pushed, together
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
-from symhaptic.book.lemmas.stiffest_stable import no_stiffer, of_every_plant, on_box
+from symhaptic.book.lemmas.stiffest_stable import no_stiffer, on_box
 from symhaptic.model.circle import powers
 from symhaptic.model.linear import on_the_line
 from symhaptic.paper.propositions.linear import safe

@@ -49,8 +49,7 @@ def undamped() -> Theorem:
 
 def effective(theorem: Theorem, other: Terms | None = None) -> Theorem:
     """A theorem of the lag, with t_e = t_d + T/2 > 0."""
-    found = inst(theorem, {t_e: lag.DELAY, **(other or {})})
-    return SLOW.closed(found)
+    return SLOW.closed(inst(theorem, {t_e: lag.DELAY, **(other or {})}))
 
 
 @cache
@@ -137,8 +136,7 @@ def stable_at(stable: Predicate) -> Theorem:
     """A loop with the lag in numbers is stable, by Hurwitz' determinants."""
     criterion = hurwitz(stable.of[0], s)
     minors = [number(minor) for minor in criterion.conclusion.of[1].of]  # type: ignore[attr-defined]
-    found = mp(criterion, conj(*minors))
-    return Given().closed(found)
+    return Given().closed(mp(criterion, conj(*minors)))
 
 
 def unstable_at(stable: Predicate) -> Theorem:

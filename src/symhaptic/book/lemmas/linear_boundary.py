@@ -7,16 +7,9 @@ stiffness.
 
 from symhaptic.book.lemmas.arm_numbers import pushed, together
 from symhaptic.book.lemmas.line_crossing import AT_REST, TOTAL, divided, slow
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
-from symhaptic.book.lemmas.stiffest_stable import (
-    WIDEST,
-    damping_between,
-    inequalities,
-    of_every_plant,
-    on_box,
-)
+from symhaptic.book.lemmas.stiffest_stable import WIDEST, damping_between, inequalities, on_box
 from symhaptic.paper.propositions.linear_error import on_boundary_at as here
 from symhaptic.proof.theorems.kernel import spec
 
@@ -109,8 +102,7 @@ def _push() -> Theorem:
     room, way = (on_box(f, box(0)) for f in (inside, toward))
     products = [value > 0], [pushed()[1], way, -gamma < alpha], turn(inside * PUSH - value)
     product = positive(inside * PUSH > 0, *products)
-    found = over(PUSH > 0, product, room)
-    return closed(found, positive(Ne(inside, 0), [room]))
+    return closed(over(PUSH > 0, product, room), positive(Ne(inside, 0), [room]))
 
 
 def softer(delay: int) -> Expr:

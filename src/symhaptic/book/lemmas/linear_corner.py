@@ -4,13 +4,12 @@ The wall is that whose chord y is 25 times the gap: so near to the start the gap
 """
 
 from symhaptic.book.lemmas.arm_numbers import TOTAL, gap, together
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import ROOM, slow
 from symhaptic.book.lemmas.linear_far import OnArc, arc, quotient
 from symhaptic.book.lemmas.linear_gap import MOST, narrow
 from symhaptic.book.lemmas.linear_rays import share
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
+from symhaptic.book.lemmas.stiffest_stable import on_box
 from symhaptic.model.linear import CHORD
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import LEVEL, far_in_the_corner

@@ -3,7 +3,6 @@
 From the start of the line a wall is seen under the slope b/A = (d + 1/2) (1 + error).
 """
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.linear_boundary import LOW, on_it
 from symhaptic.book.lemmas.linear_rays import (
     A_1,
@@ -21,7 +20,7 @@ from symhaptic.book.lemmas.linear_rays import (
     zero_of,
 )
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
+from symhaptic.book.lemmas.stiffest_stable import on_box
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import LATER, LEVEL, beside, error, on_boundary_at
 

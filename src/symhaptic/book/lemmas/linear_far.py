@@ -4,12 +4,11 @@ It is given by the chord y of the zero that the loop then has on the circle.
 """
 
 from symhaptic.book.lemmas.arm_numbers import TOTAL, together
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import AT_REST, room, slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, TOP, minor, reached, turn
 from symhaptic.book.lemmas.linear_rays import share
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
+from symhaptic.book.lemmas.stiffest_stable import on_box
 from symhaptic.model import linear
 from symhaptic.paper.propositions.linear_error import LEVEL, error, far
 

@@ -2,7 +2,6 @@
 
 from symhaptic.book.lemmas.arm_numbers import SLOW, damped_or_not, pushed, turned, undamped
 from symhaptic.book.lemmas.line_crossing import ROOM
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.analysis import grows
 from symhaptic.proof.theorems.samples import after_a_blow

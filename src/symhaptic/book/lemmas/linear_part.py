@@ -113,6 +113,5 @@ def ends_at_corner(limit: Any, one: Theorem) -> Theorem:
 
 def at_corner(printed: Any, point: Terms) -> Theorem:
     """The wall of a point is passive, since it is the corner, y = 1 of the line."""
-    found = conjunct(on_line(*map(assume, printed)), PASSIVE)
-    there = inst(found, {**point, y: ONE})
+    there = inst(conjunct(on_line(*map(assume, printed)), PASSIVE), {**point, y: ONE})
     return closed(there, *map(fact, there.hypotheses))

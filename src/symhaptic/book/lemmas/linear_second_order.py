@@ -21,9 +21,8 @@ from symhaptic.book.lemmas.linear_rays import (
     zero,
     zero_of,
 )
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
+from symhaptic.book.lemmas.stiffest_stable import on_box
 from symhaptic.model.circle import powers
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import CONSTANT, SMALL, on_boundary_at, second_order
@@ -170,8 +169,7 @@ def not_below(delay: int) -> Theorem:
     """(d + 1/2) A - 3 (delta + gamma) (A + gamma) <= b of a wall with a minor of zero."""
     value, bow = minor_at(delay), share(delay) * A + BELOW
     lift = inst(_between(delay, b_1, b), {b: bow, b_1: b})
-    there = value.xreplace({b: bow})
-    gain = positive(there > 0, [b < bow, lift], [zero_of(value), -S.One])
+    gain = positive(value.xreplace({b: bow}) > 0, [b < bow, lift], [zero_of(value), -S.One])
     here = Given(b < bow, b >= LOW, A > 0, BOX[A][1] >= A, gamma >= 0, delta >= 0)
     return by_contradiction(bow <= b, here.closed(gain), negative_below(delay))
 

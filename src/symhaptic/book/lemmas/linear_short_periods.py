@@ -34,5 +34,4 @@ def tends_to_the_line(delay: int) -> Theorem:
 @cache
 def all_tend() -> Theorem:
     """What the claim ``short_periods`` concludes, under its hypotheses."""
-    found = (disch(tends_to_the_line(n), on_boundary_at(n).at(UNITS)) for n in LATE)
-    return conj(*found)
+    return conj(*(disch(tends_to_the_line(n), on_boundary_at(n).at(UNITS)) for n in LATE))

@@ -1,18 +1,16 @@
 """The error (26) of the linear condition where the boundary starts: it has no bound there."""
 
-from symhaptic.book.lemmas.arm_numbers import ARM, NUMBERS, TOTAL, signs, together
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.arm_numbers import ARM, BY_NUMBERS, TOTAL, signs, together
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
 
 GIVEN = (*ARM[1:], gamma * delta > 0, d >= 0)
-DEVICE_NUMBERS = (n_1, n_0, a, e)
 ACROSS = stiffness() / (cos(theta / 2) * SQUARE)
 UP = damping() / (sin(theta) * SQUARE)
 APART = (UP + delta) / (d + HALF) - ACROSS
 """alpha_lin - alpha at the damping of the boundary."""
 
-WIDTH = (s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2).xreplace(NUMBERS)
+WIDTH = (s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2).xreplace(BY_NUMBERS)
 _PLACE = Symbol("q")
 _FREE = 1 + e - gamma * TOTAL
 """What a is, by the other numbers."""
@@ -30,7 +28,7 @@ def unbounded() -> Proposition:
             limit_at_start((ACROSS + gamma) / APART, S.Zero),
         )
     )
-    return every((gamma, delta, d), GIVEN, every(DEVICE_NUMBERS, ARM[:1], near))
+    return every((gamma, delta, d), GIVEN, every(NUMBERS, ARM[:1], near))
 
 
 def limit_at_start(expr: Expr, value: Expr) -> Predicate:
@@ -46,7 +44,7 @@ def no_bound() -> Theorem:
         width(),
         tends_at_start((ACROSS + gamma) / APART, S.Zero),
     )
-    return for_all(DEVICE_NUMBERS, ARM[:1], found)
+    return for_all(NUMBERS, ARM[:1], found)
 
 
 def tends_at_start(expr: Expr, value: Expr, arm: Terms | None = None) -> Theorem:
@@ -76,10 +74,9 @@ def width() -> Theorem:
     """0 < s_2 + (d+1) s_1 + d (d+1) gamma/2."""
     known = signs()
     mass, line = (conjunct(known, p) for p in known.conclusion.parts[2:4])
-    first = positive(NUMBERS[s_1] >= 0, [line], [delta >= 0], [HALF, gamma >= 0])
+    first = positive(BY_NUMBERS[s_1] >= 0, [line], [delta >= 0], [HALF, gamma >= 0])
     sprung = [HALF, d >= 0, d >= 0, gamma >= 0], [HALF, d >= 0, gamma >= 0]
-    found = positive(WIDTH > 0, [mass], [d >= 0, first], [first], *sprung)
-    return closed(found, *divisors())
+    return closed(positive(WIDTH > 0, [mass], [d >= 0, first], [first], *sprung), *divisors())
 
 
 @cache

@@ -2,10 +2,9 @@
 
 from sympy import Rel
 
-from symhaptic.book.lemmas.arm_numbers import ARM, GAP, NUMBERS, TOTAL, pushed, share, signs
+from symhaptic.book.lemmas.arm_numbers import ARM, BY_NUMBERS, GAP, TOTAL, pushed, share, signs
 from symhaptic.book.lemmas.linear_start import (
     ACROSS,
-    DEVICE_NUMBERS,
     UP,
     WIDTH,
     apart,
@@ -13,7 +12,6 @@ from symhaptic.book.lemmas.linear_start import (
     tends_at_start,
     width,
 )
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.analysis import no_other_limit
 from symhaptic.proof.theorems.samples import after_a_blow
@@ -24,7 +22,7 @@ SURPLUS = UP + delta - (d + HALF) * ACROSS
 """How far the boundary lies above the line."""
 
 _BENT = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
-LOW = (-_BENT / 12).xreplace(NUMBERS)
+LOW = (-_BENT / 12).xreplace(BY_NUMBERS)
 _PLACE = Symbol("q")
 _ON = (limit_at_start(SURPLUS, S.Zero), limit_at_start(SURPLUS / theta**2, S.Zero))
 
@@ -35,8 +33,8 @@ def tangent() -> Proposition:
     Both its surplus over the line, and that per alpha + gamma, of order theta^2, tend to zero.
     """
     only = implied(_ON, both(map(_zero, FREE)))
-    free = every(DEVICE_NUMBERS, [DEVICE.at(FREE)], both(p.at(FREE) for p in _ON))
-    arms = every(DEVICE_NUMBERS, [DEVICE], both([*_wide(), only]))
+    free = every(NUMBERS, [DEVICE.at(FREE)], both(p.at(FREE) for p in _ON))
+    arms = every(NUMBERS, [DEVICE], both([*_wide(), only]))
     return every((gamma, delta, d), GIVEN, both([arms, free]))
 
 
@@ -52,11 +50,11 @@ def _zero(of: Expr) -> Relation:
 def free_mass_only() -> Theorem:
     """What :func:`tangent` concludes; its conditions are hypotheses."""
     arms = for_all(
-        DEVICE_NUMBERS,
+        NUMBERS,
         [DEVICE],
         conj(tends_at_start((ACROSS + gamma) / theta**2, WIDTH), width(), _only()),
     )
-    free = for_all(DEVICE_NUMBERS, [DEVICE.at(FREE)], _along())
+    free = for_all(NUMBERS, [DEVICE.at(FREE)], _along())
     return conj(arms, free)
 
 
@@ -69,8 +67,8 @@ def _only() -> Theorem:
     flat = _must(LOW, subst(pattern, _PLACE, beyond, level), _ON[1])
     known = signs()
     mass, line = (conjunct(known, p) for p in known.conclusion.parts[2:4])
-    first = positive(NUMBERS[s_1] >= 0, [line], [delta >= 0], [HALF, gamma >= 0])
-    slim = positive(HALF - NUMBERS[nu] >= 0, [share()[1]])
+    first = positive(BY_NUMBERS[s_1] >= 0, [line], [delta >= 0], [HALF, gamma >= 0])
+    slim = positive(HALF - BY_NUMBERS[nu] >= 0, [share()[1]])
     sums = [2, slim, mass], [d >= 0, d >= 0, first], [2, d >= 0, first], [line]
     late = [[Rational(n, 6), gamma >= 0, *[d >= 0] * k] for k, n in ((3, 4), (2, 9), (1, 5))]
     ends = {delta: (1, [HALF, gamma >= 0]), gamma: (2, [delta >= 0])}
@@ -79,8 +77,7 @@ def _only() -> Theorem:
         rows = [[times, *row] for row in (*sums, *late, rest)]
         less = _sum(of <= 0, rows, [flat, -2 * S(times)])
         zeros.append(both_ways(less, positive(of >= 0, of >= 0)))
-    found = conj(*reversed(zeros))
-    return disch(closed(found, *apart({})), *_ON)
+    return disch(closed(conj(*reversed(zeros)), *apart({})), *_ON)
 
 
 def _sum(claim: object, rows: list[list[object]], equation: list[object]) -> Theorem:
@@ -107,7 +104,7 @@ def _along() -> Theorem:
     same = both_ways(less, more)
     gap, low = GAP.xreplace(FREE), LOW.xreplace(FREE)
     level = combined(_zero(gap), [image, -1 / TOTAL])
-    rest = NUMBERS[s_2].xreplace(FREE)
+    rest = BY_NUMBERS[s_2].xreplace(FREE)
     flat = combined(_zero(low), [image, (d + 1) ** 2 / (2 * TOTAL)], [same, rest / (2 * TOTAL)])
     start = tends_at_start(SURPLUS, -GAP, FREE)
     first = subst(limit_at_start(SURPLUS.xreplace(FREE), -_PLACE), _PLACE, start, level)

@@ -4,7 +4,6 @@ On the ray of this error Jury's minor is concave: where it is negative at alpha 
 all stiffer walls.
 """
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import slow
 from symhaptic.book.lemmas.linear_boundary import LOW
 from symhaptic.book.lemmas.linear_error import small, wall
@@ -25,7 +24,7 @@ from symhaptic.book.lemmas.linear_rays import (
     zero_of,
 )
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
+from symhaptic.book.lemmas.stiffest_stable import on_box
 from symhaptic.paper.propositions.linear_error import (
     BETWEEN,
     LEVEL,

@@ -6,7 +6,7 @@ not pull if there is no damper.
 
 from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
+from symhaptic.book.lemmas.stiffest_stable import no_stiffer, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import UNDELAYED, beside, from_bound, linear
 from symhaptic.book.lemmas.undamped_robust import excluded
 from symhaptic.paper.propositions import conclusion

@@ -16,5 +16,4 @@ def no_mass_differs(one: Expr, other: Expr) -> Theorem:
     light, heavy = of_mass(one), of_mass(other)
     first, second = (t.conclusion.of[0] for t in (light, heavy))  # type: ignore[attr-defined]
     there = mp(heavy, mp(light, assume(first)))
-    back = mp(light, mp(heavy, assume(second)))
-    return either_way(there, back, first, second)
+    return either_way(there, mp(light, mp(heavy, assume(second))), first, second)

@@ -4,18 +4,10 @@ The largest of Jury's minors is positive on one side of the curve that bounds th
 it rises with the damper.
 """
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.marginal import LIMIT, NEAR
-from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
-from symhaptic.book.lemmas.stiffest_stable import (
-    damping_between,
-    inequalities,
-    no_stiffer,
-    of_every_plant,
-    on_box,
-)
+from symhaptic.book.lemmas.stiffest_stable import damping_between, inequalities, no_stiffer, on_box
 from symhaptic.book.lemmas.undelayed_curve import (
     above_minus_one,
     above_one,
@@ -24,7 +16,6 @@ from symhaptic.book.lemmas.undelayed_curve import (
     needed,
     plants,
 )
-from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import CURVE
 from symhaptic.paper.propositions.stability import (
     HEAVIER,
@@ -110,8 +101,7 @@ def more_damped_is_stable() -> Theorem:
     begin = dict(zip(START, (alpha, beta), strict=True))
     still = for_all([WAY], [WAY >= 0, WAY < 1], add_assum(assume(BARE), WAY >= 0, WAY < 1))
     right = of_every_plant(conjunct(needed(), alpha > -gamma))
-    found = closed(inst(grows(), begin), still, closed(right, above_minus_one()))
-    return HEAVY.closed(found)
+    return HEAVY.closed(closed(inst(grows(), begin), still, closed(right, above_minus_one())))
 
 
 def kept() -> Theorem:

@@ -8,7 +8,7 @@ from math import log
 from symhaptic.book.lemmas.outpaced import softer_than
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known
+from symhaptic.book.lemmas.stiffest_stable import no_stiffer
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 
 Arm = tuple[Expr, Expr]

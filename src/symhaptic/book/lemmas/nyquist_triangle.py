@@ -63,8 +63,7 @@ def _divisors(claims: Iterable[Proposition]) -> list[Theorem]:
                 product = combined(Relation(S.Zero, "<", sp.expand(left * other)), size)
                 found.append(factor(left, product, other))
             else:
-                positive_ = combined(left > 0, [*grown, nyquist, *size])
-                found.append(show(Ne(left, 0), positive_))
+                found.append(show(Ne(left, 0), combined(left > 0, [*grown, nyquist, *size])))
     return found
 
 

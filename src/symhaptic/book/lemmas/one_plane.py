@@ -5,10 +5,9 @@ from symhaptic.book.lemmas.connections import passive_wall_is_stable
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.late_passivity import passive_late
 from symhaptic.book.lemmas.normalised_boundary import ON_CURVE, above_in_units, in_units
-from symhaptic.book.lemmas.passive_is_stable import LOOP, NUMBERS
+from symhaptic.book.lemmas.passive_is_stable import LOOP
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.paper.propositions.comparison import PASSIVE_WALL, STABLE
+from symhaptic.paper.propositions.comparison import PASSIVE_WALL
 from symhaptic.paper.propositions.passivity import BORDER
 from symhaptic.paper.propositions.plots import solid
 from symhaptic.paper.propositions.stability import at_angle
@@ -41,27 +40,27 @@ def stable_curve() -> Theorem:
     """What is said of the curve of stable walls, for an integer delay and every plant."""
     exact, never = solid().of  # type: ignore[attr-defined]
     on_it = as_claimed(exact, zero_on_circle_is_explicit())
-    readings = loop_of_device(NUMBERS, LOOP)
-    loop = conjunct(readings, readings.conclusion.parts[1])
+    loop = by_zeros(*LOOP)
     zeros = loop.conclusion.parts[1].terms[0]
-    steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
-    none = denied_by(loop, closed(zero_on_circle(zeros, z, theta, assume(at_angle())), *steps))
-    return conj(on_it, as_claimed(never, closed(none, *steps)))
+    none = denied_by(
+        loop, closed(zero_on_circle(zeros, z, theta, assume(at_angle())), *LATER_WHOLE)
+    )
+    return conj(on_it, as_claimed(never, closed(none, *LATER_WHOLE)))
 
 
 @cache
 def right_of_the_line() -> Theorem:
     """-gamma < alpha of a stable wall beside a damped device, with an integer delay."""
-    static, pushed = at_rest()
-    readings = loop_of_device(NUMBERS, LOOP)
-    loop = conjunct(readings, readings.conclusion.parts[1])
+    return not_left_of_the_line(*at_rest())
+
+
+def not_left_of_the_line(static: Theorem, pushed: Theorem) -> Theorem:
+    """-gamma < alpha of a stable wall, with an integer delay, from 0 < n_1 + n_0 of the device."""
+    loop = by_zeros(*LOOP)
     zeros = loop.conclusion.parts[1].terms[0]
-    left = assume(Relation(alpha, "<=", -gamma))
-    away = positive(-gamma - alpha >= 0, [left])
+    away = positive(-gamma - alpha >= 0, alpha <= -gamma)
     value = combined(Relation(zeros.subs(z, 1), "<=", S.Zero), [pushed, away], [static, 1])
-    steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
-    denial = denied_by(loop, zero_beyond(zeros, z, value))
-    never = choose(device_exists(gamma, delta, NUMBERS), closed(denial, *steps))
+    never = of_every_plant(closed(denied_by(loop, zero_beyond(zeros, z, value)), *LATER_WHOLE))
     wanted = Relation(-gamma, "<", alpha)
     outside = contr(not_intro(assume(STABLE), never), wanted)
     return disj_cases(ordered(-gamma, alpha), assume(wanted), outside)
@@ -112,8 +111,7 @@ def _at_each(theorem: Theorem, delays: Any) -> Theorem:
         for choice in delays.of:
             value = choice.terms[1]
             equal = combined(Relation(value, "=", d), [assume(choice), -S.One])
-            there = fact(hypothesis.at({d: value}))
-            cases.append(subst(hypothesis, d, there, equal))
+            cases.append(subst(hypothesis, d, fact(hypothesis.at({d: value})), equal))
         theorem = closed(theorem, disj_cases(assume(delays), *cases))
     return theorem
 

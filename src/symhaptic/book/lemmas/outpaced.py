@@ -5,9 +5,8 @@ are quadratic in the wall, and the left one wins for every damping once the stif
 the angle of the tip of the stable region this bound is the tip itself.
 """
 
-from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import Ranges, of_every_plant
+from symhaptic.book.lemmas.stiffest_stable import Ranges
 from symhaptic.model.circle import powers
 from symhaptic.proof import box
 from symhaptic.proof.plants import BALLS, LATE, named
@@ -38,12 +37,8 @@ ROOM = sp.Add(
 @cache
 def room() -> Theorem:
     """0 < ROOM of a stable wall, for a whole d and every theta."""
-    readings = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, d))
-    loop: Any = conjunct(readings, readings.conclusion.parts[1])
-    zeros = mp(loop, assume(loop.conclusion.of[0]))
-    found = combined(Relation(S.Zero, "<", ROOM), [outpaces(zeros, theta)])
-    steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
-    return closed(found, *steps)
+    zeros = zeros_of_stable(alpha, beta, gamma, delta, d)
+    return closed(combined(Relation(S.Zero, "<", ROOM), [outpaces(zeros, theta)]), *LATER_WHOLE)
 
 
 def at_point(expr: Expr, ranges: Ranges) -> Theorem:
@@ -63,8 +58,7 @@ def on_this_side(side: Side, delay: int, angle: Expr, ranges: Ranges) -> Theorem
     given away.
     """
     p, q, limit = side
-    there = {d: S(delay), theta: angle}
-    known = closed(inst(room(), there), fact(whole(S(delay))))
+    known = closed(inst(room(), {d: S(delay), theta: angle}), fact(whole(S(delay))))
     value = known.conclusion.right  # type: ignore[attr-defined]
     other = beta if p != 0 else alpha
     over_, along = sp.symbols("u v")

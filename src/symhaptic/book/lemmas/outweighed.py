@@ -1,10 +1,8 @@
 """A wall that the plant outweighs all around the circle is stable with every integer delay."""
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.outpaced import at_point
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
+from symhaptic.book.lemmas.passive_is_stable import LOOP
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant
 from symhaptic.paper.propositions.ratio import ARM
 
 LATE = Rational(59, 10**5)
@@ -70,8 +68,5 @@ def stable_behind_every_delay() -> Theorem:
     )
     begin = all_inside(z, d + 1, device_comes_to_rest(device))
     zeros = roots_stay(z ** (d + 1) * plant, wall, z, y, theta, no_crossing(), at_one, begin)
-    readings = loop_of_device(NUMBERS, (LATE, S.Zero, *LOOP[2:]))
-    loop: Any = conjunct(readings, readings.conclusion.parts[1])
-    steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
-    found = inst(of_every_plant(closed(mp(loop, zeros), *steps)), ARM)
-    return numbers_known(found)
+    found = closed(mp(by_zeros(LATE, S.Zero, *LOOP[2:]), zeros), *LATER_WHOLE)
+    return numbers_known(inst(of_every_plant(found), ARM))

@@ -1,13 +1,11 @@
 """A wall that meets the passivity condition at every angle keeps every damped device stable."""
 
-from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
+from symhaptic.book.lemmas.passivity import at_every_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import margin
 from symhaptic.proof.theorems.familiar import linear
 
-NUMBERS = (n_1, n_0, a, e)
 LOOP = (alpha, beta, gamma, delta, d)
-DEVICE = Predicate("device", (), (gamma, delta, *NUMBERS))
 MARGIN = margin().xreplace({K: alpha, B: beta, b: delta, T: sp.S.One})
 """delta - alpha sin((d+1/2) theta)/(2 sin(theta/2)) + beta cos((d+1) theta)."""
 EVERY_MARGIN = at_every_angle(MARGIN >= 0)
@@ -23,8 +21,7 @@ def margin_to_the_end(margin_: Expr = MARGIN) -> Theorem:
     last = in_the_limit(below, theta, sp.S.Zero, pi, limit)
     last = prove_hyp(last, number(sp.Lt(0, pi, evaluate=False)))
     equal = both_ways(assume(theta >= pi), assume(theta <= pi))
-    there = subst(margin_ >= 0, theta, last, equal)
-    return disj_cases(ordered(theta, pi), below, there)
+    return disj_cases(ordered(theta, pi), below, subst(margin_ >= 0, theta, last, equal))
 
 
 @cache
@@ -65,10 +62,9 @@ def no_crossing() -> Theorem:
 def passive_is_stable() -> Theorem:
     """stable, from the margin at every angle, 0 <= gamma, 0 < delta, 0 < alpha + gamma, d whole."""
     stable = turned_up(d + 1, n_1 * z + n_0, no_crossing())
-    steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
     found = loop_of_device(NUMBERS, LOOP)
     readings = [conjunct(found, reading) for reading in found.conclusion.of]  # type: ignore[attr-defined]
-    both = conj(*(mp(reading, closed(stable, *steps)) for reading in readings))
+    both = conj(*(mp(reading, closed(stable, *LATER_WHOLE)) for reading in readings))
     return choose(device_exists(gamma, delta, NUMBERS), both)
 
 

@@ -6,7 +6,6 @@ from symhaptic.book.lemmas.passivity import passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import bound, slope, stiffest_wall, waves
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, Wall
-from symhaptic.paper.propositions.comparison import STABLE
 
 
 def at_unit(*given: Any) -> Given:
@@ -44,13 +43,11 @@ def passive_tip() -> tuple[Theorem, Wall]:
     here = at_unit(delta > 0, gamma >= 0)
     stiff = here.show(stiffness > 0, inst(slope(), UNIT))
     loop = inst(conjunct(passive_is_stable(), STABLE), {alpha: stiffness, beta: damping})
-    found = here.closed(closed(loop, conjunct(always, every)), stiff)
-    return found, (stiffness, damping)
+    return here.closed(closed(loop, conjunct(always, every)), stiff), (stiffness, damping)
 
 
 @cache
 def softer_than_the_tip() -> Theorem:
     """alpha <= (11) of a passive wall; 0 <= delta, d whole."""
     found = inst(bound(), {K: alpha, B: beta, b: delta, T: S.One})
-    wanted = alpha <= passive_tip()[1][0]
-    return at_unit().closed(show(wanted, found))
+    return at_unit().closed(show(alpha <= passive_tip()[1][0], found))

@@ -7,7 +7,6 @@ from symhaptic.proof.theorems.familiar import whole_delay
 
 WALL = (K, B, b, T, d)
 PASSIVE = Predicate("passive_wall", (), WALL)
-INSIDE = (theta > 0, theta < sp.pi)
 
 
 def at_every_angle(claim: object) -> Proposition:

@@ -9,12 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.outpaced import at_point
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.numeric.plant import discretize
 from symhaptic.paper.propositions.areas import Side, Wall, sides, within
 from symhaptic.paper.propositions.stability import SQUARE
@@ -245,17 +242,13 @@ def all_stable(arm: Arm, delay: int, corners: tuple[Wall, ...]) -> Theorem:
         Ne(1 - a + e + (n_1 + n_0) * wall[alpha], 0), [pushed, stiff], [static, -S.One]
     )
     held = stable_at({**dict(zip((alpha, beta), start, strict=True)), **here, d: late})
-    loops = loop_of_device(NUMBERS, (*start, gamma, delta, late))
-    loop = inst(conjunct(loops, loops.conclusion.parts[1]), here)
-    begin = mp(loop, held)
+    begin = mp(inst(by_zeros(*start, gamma, delta, late), here), held)
     top = n_1 * z + n_0
     bottom, push = z ** (late + 1) * (z**2 - a * z + e), top * ((alpha + beta) * z - beta)
     first = bottom + top * ((start[0] + start[1]) * z - start[1])
     change = bottom + push - first
     zeros = inst(roots_stay(first, change, z, y, theta, crossing, at_one, begin), here)
-    readings = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late))
-    reading = inst(conjunct(readings, readings.conclusion.parts[1]), here)
-    stable = mp(reading, zeros)
-    found = choose(device_exists(*arm, NUMBERS), closed(stable, fact(whole(late))))
+    reading = inst(by_zeros(alpha, beta, gamma, delta, late), here)
+    found = choose(device_exists(*arm, NUMBERS), closed(mp(reading, zeros), fact(whole(late))))
     found = numbers_known(found)
     return for_all((alpha, beta), within(sides(corners)), found)

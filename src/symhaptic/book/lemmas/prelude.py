@@ -116,16 +116,12 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.prelude import transcribed
 from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
 from symhaptic.paper.reading import read
 from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.analysis import (
-    above_its_start,
-    in_the_limit,
-    increases,
-    induction,
-)
+from symhaptic.proof.theorems.analysis import above_its_start, in_the_limit, increases, induction
 from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.familiar import (
     axiom,
@@ -227,6 +223,40 @@ from symhaptic.proof.theorems.tactics import (
     zero_beyond,
 )
 
-HALF = Rational(1, 2)
-
 load_certificates(Path(__file__).with_name("certificates.json"))
+
+HALF = Rational(1, 2)
+INSIDE = (theta > 0, theta < pi)
+"""The angles of the upper half of the circle."""
+NUMBERS = (n_1, n_0, a, e)
+DEVICE = Predicate("device", (), (gamma, delta, *NUMBERS))
+"""A device in units of its mass and of the period, and the numbers of it that is sampled."""
+LATER_WHOLE = tuple(is_whole(d + n, assume(whole(d))) for n in (1, 2, 3))
+"""d + 1, d + 2 and d + 3 are whole if d is."""
+
+
+def by_zeros(*wall: Any) -> Theorem:
+    """stable <=> all zeros of z^(d+1) A + N W inside; of alpha, beta, gamma, delta, a whole d."""
+    readings = loop_of_device(NUMBERS, wall)
+    return conjunct(readings, readings.conclusion.parts[1])
+
+
+def zeros_of_stable(*wall: Any) -> Theorem:
+    """All these zeros lie inside, of a wall that is stable."""
+    loop = by_zeros(*wall)
+    return mp(loop, assume(loop.conclusion.parts[0]))
+
+
+def of_every_plant(theorem: Theorem) -> Theorem:
+    """What does not speak of the plant's numbers holds without them."""
+    return choose(device_exists(gamma, delta, NUMBERS), theorem)
+
+
+def numbers_known(theorem: Theorem) -> Theorem:
+    """Without the hypotheses that have no symbols."""
+    return closed(theorem, *(fact(p) for p in theorem.hypotheses if not p.free))
+
+
+def not_zero(theorem: Theorem) -> Theorem:
+    """e != 0 from 0 < e."""
+    return positive(Relation(relation(theorem).right, "!=", S.Zero), [theorem])

@@ -2,7 +2,6 @@
 true loop."""
 
 from symhaptic.book.lemmas.late_loop import ALL_NUMBERS
-from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.axioms import LATE_NUMBERS
 from symhaptic.proof.theorems.leaves import none_right, one_right

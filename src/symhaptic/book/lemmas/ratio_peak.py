@@ -12,7 +12,6 @@ from symhaptic.book.lemmas.outweighed import LATE, stable_behind_every_delay
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import limits, pushes
 from symhaptic.book.lemmas.stiffest_passive import bound, stiffest_wall
-from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, from_bound, passive_walls
 from symhaptic.paper.propositions import ratio
 from symhaptic.paper.propositions.passivity import PASSIVE
@@ -46,16 +45,14 @@ def above(share: Expr, delay: Any, arm: Arm = SPRUNG) -> Any:
 @cache
 def least(delay: int, damper: Expr = DAMPED) -> Theorem:
     """alpha <= 2 delta tan(pi/(4 (d+1))) of a passive wall."""
-    found = inst(bound(), {K: alpha, B: beta, b: damper, T: S.One, d: S(delay)})
-    return numbers_known(found)
+    return numbers_known(inst(bound(), {K: alpha, B: beta, b: damper, T: S.One, d: S(delay)}))
 
 
 def of_delay(claim: Any, delay: int, arm: Arm = SPRUNG) -> Theorem:
     """One delay's :func:`below`, of a wall next to the tip or of the one for long delays."""
     if arm == SPRUNG and delay >= LONG:
         wall: tuple[Expr, Expr] = (LATE, S.Zero)
-        found = inst(stable_behind_every_delay(), {d: S(delay)})
-        held = closed(found, fact(whole(S(delay))))
+        held = closed(inst(stable_behind_every_delay(), {d: S(delay)}), fact(whole(S(delay))))
     else:
         wall, held = wall_below(arm, delay)
     return beside(claim, held, wall, from_bound(least(delay, arm[1])))
@@ -188,8 +185,7 @@ def never_met(some: Any) -> Theorem:
         return choose(met, choose(assume(claim), wrong))
 
     _, _, under, *_ = instead().of
-    there = proposition(Ne(END, PEAK))
-    elsewhere_ = at(elsewhere(), {d: END}, conj(late, assume(there)))
+    elsewhere_ = at(elsewhere(), {d: END}, conj(late, assume(proposition(Ne(END, PEAK)))))
     of_peak = behind(PEAK, below(S.One), of_delay(under, PEAK))
     cases = (closed(contrary(S.One), inst(of_peak, {d: END})), closed(contrary(SHARE), elsewhere_))
     false = disj_cases(decided(END, S(PEAK)), *cases)

@@ -4,7 +4,7 @@ A wall is measured by u = KT/2 and w = B + KT/2, its delay by N = 2(d+1).
 """
 
 from symhaptic.book.lemmas.extent import ends, extent, first_half_turn
-from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passive_by_angle
+from symhaptic.book.lemmas.passivity import PASSIVE, every_margin, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 
 WHOLE_WALL = {u: K * T / 2, w: B + K * T / 2, N: 2 * (d + 1)}

@@ -12,11 +12,10 @@ from scipy.optimize import minimize_scalar
 from symhaptic.book.lemmas.near_tip import none_above
 from symhaptic.book.lemmas.nyquist_triangle import needed
 from symhaptic.book.lemmas.outpaced import at_point
-from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.passive_tip import at_unit, is_passive, passive_tip
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import least
-from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known, of_every_plant
+from symhaptic.book.lemmas.stiffest_stable import inequalities
 from symhaptic.book.lemmas.stiffness_claims import Wall, beside, from_bound
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 from symhaptic.paper.propositions import robust as claims
@@ -37,8 +36,7 @@ WALLS: dict[int, Wall] = {
 @cache
 def stable_beside_all(delay: int) -> Theorem:
     """A wall of WALLS is robustly stable, by Jury's inequalities for each spring."""
-    loops = loop_of_device(NUMBERS, (*WALLS[delay], gamma, delta, S(delay)))
-    loop: Any = conjunct(loops, loops.conclusion.parts[1])
+    loop: Any = by_zeros(*WALLS[delay], gamma, delta, S(delay))
     zeros = loop.conclusion.of[1].of[0]
     criterion = closed(chained(loop, jury(zeros, z)), fact(whole(S(delay))))
     goals = conjuncts(criterion.conclusion.of[1])  # type: ignore[attr-defined]
@@ -99,8 +97,7 @@ def none_stiffer(delay: int, damper: Rational) -> tuple[Expr, Theorem]:
     spring = softest(delay, damper)
     limit, softer = none_above((spring, damper), delay)
     ends = [fact(p.at({gamma: spring})) for p in conjuncts(held.conclusion.body.of[0])]  # type: ignore[attr-defined]
-    there = at(held, {gamma: spring}, *ends)
-    return limit, closed(softer, there)
+    return limit, closed(softer, at(held, {gamma: spring}, *ends))
 
 
 def _undelayed(damper: Rational, held: Theorem) -> tuple[Expr, Theorem]:

@@ -7,15 +7,15 @@ from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.familiar import in_units, shifted
 from symhaptic.proof.theorems.samples import held_answer, one_answer, turns
 
-DEVICE = (m, b, k)
+PARTS = (m, b, k)
 RATE, SPRING = b * T / m, k * T**2 / m
 """delta and gamma of a device."""
 SPLIT = sqrt(RATE**2 - 4 * SPRING)
 """The difference of its poles, times T."""
 IMAGES = exp(-(RATE + SPLIT) / 2), exp(-(RATE - SPLIT) / 2)
-PROMPT = answers(transfer(DEVICE, 0, s), s, z, X, T)
+PROMPT = answers(transfer(PARTS, 0, s), s, z, X, T)
 """X is the answer of the device."""
-LATE = answers(transfer(DEVICE, d * T, s), s, z, X_d, T)
+LATE = answers(transfer(PARTS, d * T, s), s, z, X_d, T)
 """X_d is its answer d periods late."""
 
 
@@ -55,7 +55,7 @@ def answer(late: bool = False) -> Theorem:
     Of a device with m, T > 0, c_1 != 0 and gamma != 0.
     """
     claim, found, delay = (LATE, X_d, d) if late else (PROMPT, X, sp.S.Zero)
-    units = in_units(DEVICE, delay * T, z, found, T, (T, m / T**2))
+    units = in_units(PARTS, delay * T, z, found, T, (T, m / T**2))
     device = (sp.S.One, RATE, SPRING)
     held = held_answer(device, (delay, 0), s, z, m / T**2 * found, motion(device), t)
     given = mp(held, mp(units, assume(claim)))
@@ -79,7 +79,7 @@ def positive_square() -> Theorem:
 @cache
 def late_answer() -> Theorem:
     """X_d = z^-d X with integer delays, for every device."""
-    later = mp(shifted(DEVICE, 0, z, X, T, d), assume(PROMPT))
+    later = mp(shifted(PARTS, 0, z, X, T, d), assume(PROMPT))
     return one_answer(assume(LATE), later)
 
 
@@ -93,9 +93,9 @@ def lumped(claim: Proposition) -> Theorem:
     own = next(p for p in given if isinstance(p, Predicate) and p.over and p.of[2] == X)
     total = next(p for p in given if isinstance(p, Relation) and p.left == d)
     late = (d_1 + d_2) * T
-    moved = mp(shifted(DEVICE, late, z, X, T, l), assume(own))
+    moved = mp(shifted(PARTS, late, z, X, T, l), assume(own))
     rate = sp.Dummy("rate")  # of exp(rate s)
-    behind = answers(transfer(DEVICE, -rate, s), s, z, z**-l * X, T)
+    behind = answers(transfer(PARTS, -rate, s), s, z, z**-l * X, T)
     sum_ = combined(Relation(-(late + l * T), "=", -d * T), [assume(total), T])
     equal = one_answer(assume(LATE), subst(behind, rate, moved, sum_))
     factor_ = (K + B * (z - 1) / (T * z)) * -S.One

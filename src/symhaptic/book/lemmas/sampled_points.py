@@ -1,7 +1,7 @@
 """Devices in numbers: their answers to a held force, and points at which claims fail or hold."""
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.sampled import DEVICE, motion
+from symhaptic.book.lemmas.sampled import PARTS, motion
 from symhaptic.proof.theorems.familiar import amplified
 from symhaptic.proof.theorems.samples import held_answer
 
@@ -17,7 +17,7 @@ CRITICAL = SWINGING | {b: 2, k: 1, z: 2}
 
 def answered(values: Mapping[Symbol, Expr], late: bool = False) -> tuple[Expr, Theorem]:
     """The answer of a device in numbers, with a period of 1, and that it is the answer."""
-    device = tuple(sp.sympify(values[p]) for p in DEVICE)
+    device = tuple(sp.sympify(values[p]) for p in PARTS)
     delay = sp.sympify(values[d]) if late else S.Zero
     parts = sp.floor(delay), delay - sp.floor(delay)
     at = values[z]
@@ -46,11 +46,11 @@ def completed(
         if isinstance(claimed, Predicate) and claimed.name == "answers":
             before = claimed.of[0] * (m * s**2 + b * s + k)
             late = s in before.free_symbols  # exp(-d T s)
-            known = {p: point[p] for p in (*DEVICE, z)}
+            known = {p: point[p] for p in (*PARTS, z)}
             known[d] = -(before.exp / s).xreplace(values) if late else S.Zero
             value, shown = answered(known, late=late)
             if before != 1 and s not in before.free_symbols:  # a gain
-                device, gain = [values[p] for p in DEVICE], before.xreplace(values)
+                device, gain = [values[p] for p in PARTS], before.xreplace(values)
                 more = amplified(device, 0, values[z], value, S.One, gain)
                 more = closed(more, *(fact(h) for h in more.hypotheses))
                 value, shown = gain * value, mp(more, shown)

@@ -1,13 +1,7 @@
 """Loops that differ in their units only, and walls that no other part of theirs can make stable."""
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import (
-    damping_between,
-    no_stiffer,
-    numbers_known,
-    of_every_plant,
-    on_box,
-)
+from symhaptic.book.lemmas.stiffest_stable import damping_between, no_stiffer, on_box
 from symhaptic.model.circle import powers
 from symhaptic.paper.propositions.stability import HEAVY, MORE, SOON, STIFFER, STRONGER, in_units
 from symhaptic.paper.propositions.stability import SHARE as LIGHTER
@@ -109,8 +103,7 @@ def with_the_stiffness(stiffer: Symbol) -> Theorem:
     same = combined(Eq(stiffer / HEAVY, K / m), [equally, 1 / HEAVY])
     known = [equally, None, None, None]
     there, back = moved(assume(before), after, known), moved(assume(after), before, known)
-    found = conj(same, either_way(there, back, before, after))
-    return closed(found, *APART)
+    return closed(conj(same, either_way(there, back, before, after)), *APART)
 
 
 @cache

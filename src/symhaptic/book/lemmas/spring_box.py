@@ -5,15 +5,8 @@ F = L + beta (n_1 + n_0 (1-L)) - u n_0 (1 + n_1 beta) - beta^2 n_0 S + gamma n_0
 where L = 1 - e and S = n_1 + n_0.
 """
 
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stiffest_stable import (
-    damping_between,
-    inequalities,
-    no_stiffer,
-    of_every_plant,
-    on_box,
-)
+from symhaptic.book.lemmas.stiffest_stable import damping_between, inequalities, no_stiffer, on_box
 from symhaptic.paper.propositions.plots import OTHER, THICK
 from symhaptic.proof import box
 from symhaptic.proof.theorems.leaves import on_box as on_plain_box

@@ -1,6 +1,5 @@
 """Loops that are stable, and loops that are not: at a point, and by Jury's inequalities."""
 
-from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.definitions import loop_substituted
 
@@ -10,8 +9,7 @@ def polynomial_at(point: Mapping[Symbol, Expr]) -> Theorem:
     values = [point[s] for s in (alpha, beta, gamma, delta, d)]
     parts = {"stiffness": point[gamma] != 0, "damping": point[delta] != 0}
     share = sp.Rational(point[d]).q
-    found = loop_substituted(values, z, share, **parts)
-    return closed(found, fact(whole(share * point[d])))
+    return closed(loop_substituted(values, z, share, **parts), fact(whole(share * point[d])))
 
 
 def stable_at(point: Mapping[Symbol, Expr]) -> Theorem:
@@ -32,8 +30,7 @@ def unstable_at(point: Mapping[Symbol, Expr]) -> Theorem:
 def by_inequalities(delay: int) -> Theorem:
     """stable <=> Jury's inequalities, in the four numbers of the device, for an integer delay."""
     late = sp.Integer(delay)
-    readings = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late))
-    loop = conjunct(readings, readings.conclusion.parts[1])
+    loop = by_zeros(alpha, beta, gamma, delta, late)
     zeros: Any = loop.conclusion.parts[1]
     return closed(chained(loop, jury(zeros.of[0], z)), fact(whole(late)))
 

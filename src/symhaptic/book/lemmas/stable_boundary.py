@@ -1,17 +1,17 @@
 """The explicit boundary in a form for computing, and the slope of its stiffness."""
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stable_forms import Block, Later, not_zero
+from symhaptic.book.lemmas.stable_forms import Block, Later, nonzero
 from symhaptic.forms.device_forms import made_of
 
 TURN = exp(I * theta)
-INSIDE = tuple(map(proposition, (theta > 0, theta < pi)))
+ANGLES = tuple(map(proposition, (theta > 0, theta < pi)))
 p, q, r, u, w = symbols("p q r u w")
 """Of the computed formula: what is in phase, what is ahead, that over cos sin, above, below."""
 BOTTOM = z**2 - a * z + e
 WHOLE, LATE = n_1 * z + n_0, m_2 * z**2 + m_1 * z + m_0
-DEVICE = made_of(Sampled(n_1, n_0, a, e))
-NUMBERS = {a: S.One, e: S.Half, n_1: S.One, n_0: S.Half}
+MADE = made_of(Sampled(n_1, n_0, a, e))
+POINT = {a: S.One, e: S.Half, n_1: S.One, n_0: S.Half}
 LATE_NUMBERS = {a: S.One, e: S.Half, m_2: S.One, m_1: S.Half, m_0: S.Half}
 
 
@@ -29,7 +29,7 @@ def ends(late: bool) -> tuple[Expr, Expr, Expr]:
     """M at 1 and -1, and what its imaginary part has."""
     if late:
         return m_2 + m_1 + m_0, m_2 - m_1 + m_0, 2 * (m_2 - m_0)
-    return DEVICE.together, DEVICE.apart, 2 * n_1
+    return MADE.together, MADE.apart, 2 * n_1
 
 
 def _size(late: bool) -> Expr:
@@ -55,10 +55,10 @@ def wall(top: Expr, delay: Expr, late: bool) -> Block:
         (c_1, mirror(needed)),
         (x, (X + c_1) / 2),
         (y, (X - c_1) / (2 * I)),
-        (u, DEVICE.at_one * cosine**2 - DEVICE.at_minus_one * sine**2),
+        (u, MADE.at_one * cosine**2 - MADE.at_minus_one * sine**2),
         (w, together * cosine**2 - apart * sine**2),
-        (p, (u * w + flat * (2 * DEVICE.loss) * across) / size),
-        (r, (2 * DEVICE.loss * w - u * across) / size),
+        (p, (u * w + flat * (2 * MADE.loss) * across) / size),
+        (r, (2 * MADE.loss * w - u * across) / size),
         (q, sine * cosine * r),
     )
     swing, back = sin((delay + 1) * theta), cos((delay + 1) * theta)
@@ -72,9 +72,9 @@ def wall(top: Expr, delay: Expr, late: bool) -> Block:
         for way in (first, second)
         for ours, derived in zip(way, exact, strict=True)
     )
-    free = theta, delay, *(LATE_NUMBERS if late else NUMBERS)
-    where = (*INSIDE, proposition(Ne(turned(top), 0)))
-    point = {theta: S.One, delay: S.One} | (LATE_NUMBERS if late else NUMBERS)
+    free = theta, delay, *(LATE_NUMBERS if late else POINT)
+    where = (*ANGLES, proposition(Ne(turned(top), 0)))
+    point = {theta: S.One, delay: S.One} | (LATE_NUMBERS if late else POINT)
     divisors = partial(_divisors, late, dict(names)[w])
     return Block(free, where, names, tuple(pairs), point, divisors)
 
@@ -85,7 +85,7 @@ def inside(top: Expr) -> list[Theorem]:
     there = assume(Ne(turned(top), 0))
     return [
         combined(Ne(sin(theta), 0), [sine]),
-        not_zero(cos(theta / 2), sine, times=2 * sin(theta / 2)),
+        nonzero(cos(theta / 2), sine, times=2 * sin(theta / 2)),
         there,
         mirrored(there),
     ]
@@ -94,7 +94,7 @@ def inside(top: Expr) -> list[Theorem]:
 def _divisors(late: bool, below: Expr) -> list[Theorem]:
     """The size of the numerator, too, as it is written with w for its real part."""
     known = inside(LATE if late else WHOLE)
-    size = not_zero(_size(late), *known[2:], times=S.One)
+    size = nonzero(_size(late), *known[2:], times=S.One)
     named = Relation(w**2 + _flat(late), "!=", S.Zero)
     return [*known, size, combined(named, [size], [assume(Relation(w, "=", below)), w + below])]
 

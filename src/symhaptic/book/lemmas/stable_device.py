@@ -1,7 +1,7 @@
 """The sampled device in entire functions, without a delay and with a fractional delay."""
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stable_forms import Block, Later, Named, not_zero
+from symhaptic.book.lemmas.stable_forms import Block, Later, Named, nonzero
 from symhaptic.forms import fractional_delay, stable
 from symhaptic.forms.device_forms import device_of, made_of
 from symhaptic.forms.entire import written_out
@@ -34,7 +34,7 @@ def kept(time: Expr, way: Expr) -> Expr:
     return exp(RISE * time) + FALL * way
 
 
-NUMBERS = (
+BY_TRANSITION = (
     (gamma, SPRING),
     (h, impulse(S.One)),
     (v, kept(S.One, h)),
@@ -71,7 +71,7 @@ def spring_there() -> Theorem:
 def _poles() -> list[Theorem]:
     """No pole is zero, where there is a spring."""
     spring = spring_there()
-    return [spring, *(not_zero(x, spring) for x in (RISE, FALL, -FALL))]
+    return [spring, *(nonzero(x, spring) for x in (RISE, FALL, -FALL))]
 
 
 def device_block(*which: int, polynomial: bool = False) -> Block:
@@ -81,7 +81,7 @@ def device_block(*which: int, polynomial: bool = False) -> Block:
     free = (c, delta, *((alpha, beta, z) if more else ()))
     point = POINT | ({alpha: S.One, beta: S.One, z: S(2)} if more else {})
     where = APART if 8 in which else APART[:2]
-    return Block(free, where, NUMBERS, (*pairs, *more), point, _poles)
+    return Block(free, where, BY_TRANSITION, (*pairs, *more), point, _poles)
 
 
 def _polynomial() -> Relation:
@@ -144,7 +144,7 @@ def _late() -> Block:
     at_minus_one = m_2 - m_1 + m_0
     exact = m_2, m_0, m_2 + m_1 + m_0, at_minus_one, m_1, 2 * (m_2 - m_0), at_minus_one
     where = (*APART, *map(proposition, (Ne(epsilon, 0), Ne(epsilon, 1))))
-    names = (*NUMBERS[:5], *first_names, *last_names, *AFTER)
+    names = (*BY_TRANSITION[:5], *first_names, *last_names, *AFTER)
     pairs = tuple(Relation(x, "=", y) for x, y in zip(ours, exact, strict=True))
     return Block((c, delta, epsilon), where, names, pairs, POINT | {epsilon: S.Half}, _parts)
 
@@ -154,7 +154,7 @@ def _parts() -> list[Theorem]:
     spring, *poles = _poles()
     parts = [assume(Ne(epsilon, 0)), combined(Ne(REST, 0), [-1, assume(Ne(epsilon, 1))])]
     shorter = [
-        not_zero(way * of / 2 - delta * of / 2, spring, part)
+        nonzero(way * of / 2 - delta * of / 2, spring, part)
         for part, of in zip(parts[::-1], (REST, PART), strict=True)
         for way in (c, -c)
     ]

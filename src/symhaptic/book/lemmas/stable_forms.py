@@ -105,7 +105,7 @@ def _shown(claim: Proposition) -> Theorem:
     return tends(claim.of[0], claim.over[0], *claim.of[1:])
 
 
-def not_zero(expr: Expr, *known: Theorem, times: Expr | None = None) -> Theorem:
+def nonzero(expr: Expr, *known: Theorem, times: Expr | None = None) -> Theorem:
     """expr != 0, where expr * times is the product of what is known not to be zero."""
     product = sp.Mul(*(_side(k) for k in known))
     other = sp.cancel(product / expr) if times is None else times

@@ -1,7 +1,7 @@
 """What a wall needs at an angle, in entire functions, and the walls that are just passive."""
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stable_forms import Block, Later, Named, not_zero
+from symhaptic.book.lemmas.stable_forms import Block, Later, Named, nonzero
 from symhaptic.forms import required_damping, stable
 from symhaptic.forms.entire import Chord, Sinc, written_out
 
@@ -71,17 +71,17 @@ def _orders() -> list[Theorem]:
     sine = closed(sign_of(sin, psi), wide)
     orders = (positive(2 * l + n > 0, [2, l >= 0], [n, one()]) for n in (1, 2, 3, 4))
     return [
-        *(not_zero(2 * l + n, o, times=S.One) for n, o in enumerate(orders, start=1)),
-        not_zero(psi, assume(psi > 0), times=S.One),
-        not_zero(sin(psi), sine, times=S.One),
-        not_zero(sin(psi) / psi, sine, times=psi),
+        *(nonzero(2 * l + n, o, times=S.One) for n, o in enumerate(orders, start=1)),
+        nonzero(psi, assume(psi > 0), times=S.One),
+        nonzero(sin(psi), sine, times=S.One),
+        nonzero(sin(psi) / psi, sine, times=psi),
     ]
 
 
 def half_angle() -> list[Theorem]:
     """Neither the angle nor the sine of its half is zero."""
     right, sine = assume(theta > 0), sine_of_half(theta)
-    return [not_zero(theta, right, times=S.One), not_zero(sin(theta / 2), sine, times=S.One)]
+    return [nonzero(theta, right, times=S.One), nonzero(sin(theta / 2), sine, times=S.One)]
 
 
 def _at_an_angle() -> Block:
@@ -106,7 +106,7 @@ def _at_an_angle() -> Block:
 
 def _sines() -> list[Theorem]:
     """The sine of the angle is not zero either."""
-    return [*half_angle(), not_zero(sin(theta), closed(sign_of(sin, theta)), times=S.One)]
+    return [*half_angle(), nonzero(sin(theta), closed(sign_of(sin, theta)), times=S.One)]
 
 
 NEEDS, MARGIN = Later(_needs), Later(_at_an_angle)

@@ -3,18 +3,18 @@ stiffness."""
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_boundary import (
+    ANGLES,
     BOTTOM,
-    DEVICE,
-    INSIDE,
     LATE,
     LATE_NUMBERS,
-    NUMBERS,
+    MADE,
+    POINT,
     WHOLE,
     force,
     inside,
     turned,
 )
-from symhaptic.book.lemmas.stable_forms import Block, Later, Named, not_zero
+from symhaptic.book.lemmas.stable_forms import Block, Later, Named, nonzero
 from symhaptic.forms import max_stiffness_slope
 
 f, g, v, w, q, r = symbols("f g v w q r")
@@ -41,7 +41,7 @@ def derived(top: Expr, delay: Expr, shift: int) -> tuple[Named, Expr]:
 def _values(late: bool) -> Named:
     """t, and A and M at z = 1 and z = -1."""
     ends = (m_2 + m_1 + m_0, m_2 - m_1 + m_0) if late else (n_1 + n_0, n_1 - n_0)
-    found = DEVICE.at_one, DEVICE.at_minus_one, DEVICE.loss, *ends
+    found = MADE.at_one, MADE.at_minus_one, MADE.loss, *ends
     return ((t, tan(theta / 2)), *zip(VALUES, found, strict=True))
 
 
@@ -66,7 +66,7 @@ def _searched() -> Block:
     along, up = cos(half), sin(half)
     rise = q * (v * up + w * along) - t * (r + U * W / 2) * (v * along - w * up)
     pair = Relation(rise / (U * W**2 * cos(theta / 2)), "=", exact)
-    where = *INSIDE, *(proposition(Ne(turned(p), 0)) for p in (LATE, BOTTOM))
+    where = *ANGLES, *(proposition(Ne(turned(p), 0)) for p in (LATE, BOTTOM))
     point = {theta: S.One, l: S.One} | LATE_NUMBERS
     named = *_values(True), *names, *computed
     divisors = partial(_divisors, LATE, True)
@@ -75,7 +75,7 @@ def _searched() -> Block:
 
 def _polynomial(top: Expr, late: bool) -> Block:
     """The same for delays below one period, or for none, as a polynomial in the square of t."""
-    numbers = LATE_NUMBERS if late else NUMBERS
+    numbers = LATE_NUMBERS if late else POINT
     if late:
         found, arguments = max_stiffness_slope.early(), max_stiffness_slope.EARLY
         square = (M_1 - M_2 * t**2) ** 2 + 4 * t**2 * (m_2 - m_0) ** 2
@@ -90,7 +90,7 @@ def _polynomial(top: Expr, late: bool) -> Block:
     for name in powers:
         rise = rise * t**2 + name
     pair = Relation(t * (rise / ((1 + t**2) * square**2)), "=", exact)
-    where = (*INSIDE, proposition(Ne(turned(top), 0)))
+    where = (*ANGLES, proposition(Ne(turned(top), 0)))
     named = *_values(late), *names, *computed
     point, divisors = {theta: S.One} | numbers, partial(_divisors, top, False)
     return Block((theta, *numbers), where, named, (pair,), point, divisors)
@@ -101,11 +101,11 @@ def size_not_zero(top: Expr, known: Sequence[Theorem]) -> Theorem:
     one, other = top.subs(z, 1), top.subs(z, -1)
     tangent = tan(theta / 2)
     if top == WHOLE:
-        size = DEVICE.together**2 + DEVICE.apart**2 * tangent**2
-        return not_zero(size, *known, times=cos(theta / 2) ** 2)
+        size = MADE.together**2 + MADE.apart**2 * tangent**2
+        return nonzero(size, *known, times=cos(theta / 2) ** 2)
     across = 1 - e if top == BOTTOM else m_2 - m_0
     size = (one - other * tangent**2) ** 2 + 4 * tangent**2 * across**2
-    return not_zero(size, *known, times=cos(theta / 2) ** 4)
+    return nonzero(size, *known, times=cos(theta / 2) ** 4)
 
 
 def _divisors(top: Expr, searched: bool) -> list[Theorem]:
@@ -116,7 +116,7 @@ def _divisors(top: Expr, searched: bool) -> list[Theorem]:
         other = size_not_zero(BOTTOM, [alive, mirrored(alive)])
     else:
         unit = fact(Relation(S.One, "!=", S.Zero))
-        other = not_zero(1 + tan(theta / 2) ** 2, unit, times=cos(theta / 2) ** 2)
+        other = nonzero(1 + tan(theta / 2) ** 2, unit, times=cos(theta / 2) ** 2)
     return [*known, size_not_zero(top, known[2:]), other]
 
 

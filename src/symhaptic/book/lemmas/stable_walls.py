@@ -1,7 +1,7 @@
 """Walls that are just passive, and the linear condition, in entire functions."""
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stable_forms import Block, Later, not_zero
+from symhaptic.book.lemmas.stable_forms import Block, Later, nonzero
 from symhaptic.book.lemmas.stable_need import (
     ANGLE,
     S_0,
@@ -105,8 +105,8 @@ def _crossed() -> list[Theorem]:
     known = dict(LINE)
     spread = combined(Ne(PUSH - sin(TURN), 0), [-1, assume(Relation(sin(TURN), "!=", PUSH))])
     below = (d + 1) * known[x] * sin((d + 1) * theta) + known[y] * cos((d + 1) * theta)
-    crossed = not_zero(below, spread, times=8 * sin(theta / 2) ** 2)
-    own = not_zero((PUSH - sin(TURN)) / theta**3, spread, times=theta**3)
+    crossed = nonzero(below, spread, times=8 * sin(theta / 2) ** 2)
+    own = nonzero((PUSH - sin(TURN)) / theta**3, spread, times=theta**3)
     return [*half_angle(), spread, crossed, own]
 
 
@@ -121,11 +121,11 @@ def _worst() -> list[Theorem]:
     low = divided(WORST > 0, turn, twice)
     high = divided(pi > WORST, combined(pi * (2 * d + 1) > 0, [turn, rest]), twice)
     sine, half = closed(sign_of(sin, WORST), low, high), closed(sine_of_half(WORST), low, high)
-    cosine = not_zero(cos(WORST / 2), sine, times=2 * sin(WORST / 2))
+    cosine = nonzero(cos(WORST / 2), sine, times=2 * sin(WORST / 2))
     other = sin((d + HALF) * WORST)
-    known = [not_zero(sin(WORST), sine, times=S.One), not_zero(sin(WORST / 2), half, times=S.One)]
-    known += [cosine, not_zero(other, cosine, times=S.One), not_zero(d + 1, late, times=S.One)]
-    known.append(not_zero(other / (2 * sin(WORST / 2)), cosine, times=2 * sin(WORST / 2)))
+    known = [nonzero(sin(WORST), sine, times=S.One), nonzero(sin(WORST / 2), half, times=S.One)]
+    known += [cosine, nonzero(other, cosine, times=S.One), nonzero(d + 1, late, times=S.One)]
+    known.append(nonzero(other / (2 * sin(WORST / 2)), cosine, times=2 * sin(WORST / 2)))
     return known
 
 
@@ -135,8 +135,8 @@ def _late() -> list[Theorem]:
     late = positive(l + epsilon + 1 > 0, [l >= 0], [epsilon > 0], [one()])
     rest = positive(1 - epsilon > 0, epsilon < 1)
     shown = (epsilon, assume(epsilon > 0)), (1 - epsilon, rest), (l + epsilon + 1, late)
-    known = [not_zero(of, why, times=S.One) for of, why in (*shown, (sin(theta), wave))]
-    return [*half_angle(), *known, not_zero(2 * l + 2 * epsilon + 2, late, times=S.Half)]
+    known = [nonzero(of, why, times=S.One) for of, why in (*shown, (sin(theta), wave))]
+    return [*half_angle(), *known, nonzero(2 * l + 2 * epsilon + 2, late, times=S.Half)]
 
 
 def _order() -> list[Theorem]:

@@ -6,7 +6,6 @@ on the box.  The last of them, of the largest minor, falls with the stiffness: w
 one stiffness for every damping, no stiffer wall is stable.
 """
 
-from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.model import circle
@@ -41,16 +40,6 @@ def _on_box(expr: Expr, sides: tuple[tuple[Symbol, tuple[Any, Any]], ...]) -> Th
     return combined(Relation(S.Zero, "<", expr), [on_plants(certificate)])
 
 
-def of_every_plant(theorem: Theorem) -> Theorem:
-    """What does not speak of the plant's numbers holds without them."""
-    return choose(device_exists(gamma, delta, NUMBERS), theorem)
-
-
-def numbers_known(theorem: Theorem) -> Theorem:
-    """Without the hypotheses that have no symbols."""
-    return closed(theorem, *(fact(p) for p in theorem.hypotheses if not p.free))
-
-
 def stable_wall(delay: int, wall: tuple[Expr, Expr], ranges: Ranges) -> Theorem:
     """The wall, given by gamma and delta, is stable for all plants of the box."""
     loop = inst(by_inequalities(delay), dict(zip((alpha, beta), wall, strict=True)))
@@ -72,9 +61,7 @@ def inequalities(delay: int) -> tuple[Theorem, ...]:
 def damping_between(delay: int, ranges: Ranges, widest: Expr = WIDEST) -> tuple[Theorem, ...]:
     """-2.1 <= beta <= 2.1 and n_0 beta < 1 of a stable wall: n_0 beta is a product of zeros."""
     late = S(delay)
-    loop = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late))
-    reading: Any = conjunct(loop, loop.conclusion.parts[1])
-    zeros = mp(reading, assume(reading.conclusion.of[0]))
+    zeros = zeros_of_stable(alpha, beta, gamma, delta, late)
     last = closed(last_coefficient(zeros), fact(whole(late)))
     low, high = (conjunct(last, p) for p in conjuncts(last.conclusion))
     weight, room = (on_box(f, ranges) for f in (n_0, widest * n_0 - 1))

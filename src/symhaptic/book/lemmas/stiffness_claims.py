@@ -2,7 +2,7 @@
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import largest_of
-from symhaptic.book.lemmas.stiffest_stable import Ranges, no_stiffer, numbers_known, stable_wall
+from symhaptic.book.lemmas.stiffest_stable import Ranges, no_stiffer, stable_wall
 from symhaptic.paper.propositions.ratio import ARM, WALL
 
 Wall: TypeAlias = tuple[Expr, Expr]
@@ -126,5 +126,4 @@ def of_delay(claim: Proposition) -> Theorem:
     late = inst(stable_wall(1, LATE, RANGES), ARM)
     most = inst(no_stiffer(0, CORNER[0], HERE), ARM)
     late, most = map(numbers_known, (late, most))
-    found = conj(less, beside(digits, late, best, from_bound(most)))
-    return as_claimed(claim, found)
+    return as_claimed(claim, conj(less, beside(digits, late, best, from_bound(most))))

@@ -4,8 +4,8 @@ from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.familiar import divided, swinging
 
 RATE = Symbol("sigma")
-DEVICE = (m, b, k, omega)
-SWINGS = Predicate("swings", (), DEVICE)
+MOVING = (m, b, k, omega)
+SWINGS = Predicate("swings", (), MOVING)
 SQUARE = k / m - b**2 / (4 * m**2)
 """omega^2 of a device that swings."""
 
@@ -13,22 +13,20 @@ SQUARE = k / m - b**2 / (4 * m**2)
 @cache
 def swings() -> Theorem:
     """swings <=> omega^2 = k/m - b^2/(4 m^2), for m > 0 and omega > 0."""
-    meaning = swinging(DEVICE, RATE)
+    meaning = swinging(MOVING, RATE)
     some = meaning.conclusion.of[1]  # type: ignore[attr-defined]
     sine, cosine = (assume(p) for p in some.body.of)
     rate = -b / (2 * m)
     apart = [positive(Ne(s, 0), s > 0) for s in (m, omega)]
     slow = combined(Eq(RATE, rate), [cosine, 1 / (2 * m * omega)])
     wanted = proposition(Eq(omega**2, SQUARE))
-    found = combined(wanted, [sine, -1 / m], [slow, RATE - rate])
-    there = choose(assume(some), found)
+    there = choose(assume(some), combined(wanted, [sine, -1 / m], [slow, RATE - rate]))
     damped = identity(2 * m * rate * omega + b * omega, S.Zero)
     square = assume(wanted)
     swung, slowed = (claim.at({RATE: rate}) for claim in some.body.of)
     held = combined(swung, [square, -m])
     still = combined(slowed, [damped, S.One])
-    back = exists(conj(held, still), some, {RATE: rate})
-    same = either_way(there, back, some, wanted)
+    same = either_way(there, exists(conj(held, still), some, {RATE: rate}), some, wanted)
     return closed(chained(meaning, same), *apart)
 
 
@@ -48,9 +46,7 @@ def rewritten(left: Theorem, right: Theorem) -> Theorem:
     """p <=> r from p <=> q and r <=> q."""
     p = left.conclusion.of[0]  # type: ignore[attr-defined]
     r = right.conclusion.of[0]  # type: ignore[attr-defined]
-    there = mp(right, mp(left, assume(p)))
-    back = mp(left, mp(right, assume(r)))
-    return either_way(there, back, p, r)
+    return either_way(mp(right, mp(left, assume(p))), mp(left, mp(right, assume(r))), p, r)
 
 
 @cache

@@ -6,8 +6,6 @@ N = p + q + 1: there only the wall's part of the polynomial is left.
 """
 
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.paper.propositions.stability import NUMBERS
 from symhaptic.proof.theorems.analysis import grows
 
 p, q = symbols("p q")
@@ -178,8 +176,7 @@ def _stable(held: Proposition, turn: Expr, given: Given) -> Theorem:
 def pushes(held: Proposition) -> Theorem:
     """``held`` is false of a wall with 0 <= alpha."""
     here = Given(d >= 0)
-    stable = _stable(held, pi / (2 * d + 2), here)
-    return here.closed(closed(excluded(), stable))
+    return here.closed(closed(excluded(), _stable(held, pi / (2 * d + 2), here)))
 
 
 def pulls(held: Proposition) -> Theorem:
@@ -190,8 +187,7 @@ def pulls(held: Proposition) -> Theorem:
     stable = _stable(held, turn, here)
     here.have(-alpha * (1 - alpha + alpha**2) >= 0)
     here.have(turn**2 + alpha <= 0)
-    found = without(turn**2, here.closed(inst(pulled(), {x: turn})))
-    return here.closed(closed(found, stable))
+    return here.closed(closed(without(turn**2, here.closed(inst(pulled(), {x: turn}))), stable))
 
 
 def vanishes(held: Proposition) -> Theorem:

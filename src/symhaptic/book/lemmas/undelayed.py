@@ -1,7 +1,6 @@
 """The passivity condition without delay and its summary (6), which wants b > KT/2 + |B|."""
 
-from symhaptic.book.lemmas.chords import not_zero
-from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passive_by_angle
+from symhaptic.book.lemmas.passivity import PASSIVE, every_margin, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.passivity import SIX
 
@@ -85,8 +84,7 @@ def off_the_border(frequencies: Any, sufficient: Theorem, needed: Theorem) -> Th
         positive(Ne(2 * T, 0), [2, T > 0]),
     )
     apart = strictly(needed, assume(Ne(b, BORDER)))
-    there = disj_cases(assume(OFF_BORDER), calm, apart)
-    return either_way(there, sufficient, frequencies, SIX)
+    return either_way(disj_cases(assume(OFF_BORDER), calm, apart), sufficient, frequencies, SIX)
 
 
 def middle_inside() -> tuple[Theorem, Theorem]:

@@ -1,14 +1,11 @@
 """Without delay the stable walls of an arm of (23) lie between a line and a curve."""
 
-from symhaptic.book.lemmas.chords import not_zero
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import (
     WIDEST,
     damping_between,
     inequalities,
-    of_every_plant,
     on_box,
     towards,
 )

@@ -4,12 +4,9 @@ With x = 1 + n_1 beta > 0 and w^2 = n_0 (n_0 + e n_1 - gamma n_0 n_1) Jury's min
 n_0 x (alpha_max - alpha) - (n_1 + n_0) (n_0 x - w)^2/(n_0 n_1^2).
 """
 
-from symhaptic.book.lemmas.chords import not_zero
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import damping_between, inequalities, on_box, towards
-from symhaptic.paper.propositions.comparison import STABLE
 
 WIDE = {gamma: (S.Zero, Rational(1, 100)), delta: (S.Zero, Rational(1, 10))}
 """Ten times the springs of (23), and five times the dampers."""
@@ -116,5 +113,4 @@ def closed_form() -> Theorem:
         for_all((alpha, beta), [most.body.of[0]], none_stiffer()),
         for_all((alpha,), conjuncts(reached.body.of[0]), all_softer()),
     ]
-    found = as_claimed(plants, conj(*parts))
-    return as_claimed(claim(), found)
+    return as_claimed(claim(), as_claimed(plants, conj(*parts)))

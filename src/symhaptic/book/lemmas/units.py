@@ -2,12 +2,12 @@
 
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import renamed
-from symhaptic.book.lemmas.sampled import DEVICE, positive_square
+from symhaptic.book.lemmas.sampled import PARTS, positive_square
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.familiar import in_units
 from symhaptic.proof.theorems.samples import one_answer, turns
 
-DELAYED = answers(transfer(DEVICE, t_d, s), s, z, X, T)
+DELAYED = answers(transfer(PARTS, t_d, s), s, z, X, T)
 """X is the answer of the device behind the delay t_d."""
 SCALED = answers(transfer((1, delta, gamma), d, s), s, z, m / T**2 * X, 1)
 """m X/T^2 is that of the device of Table I behind d periods of 1."""
@@ -18,7 +18,7 @@ WALL = Eq(alpha, K * T**2 / m), Eq(beta, B * T / m)
 @cache
 def in_own_units() -> Theorem:
     """DELAYED <=> SCALED, by Table I, for m and T > 0."""
-    units = in_units(DEVICE, t_d, z, X, T, (T, m / T**2))
+    units = in_units(PARTS, t_d, z, X, T, (T, m / T**2))
     mass, period = positive(Ne(m, 0), m > 0), positive(Ne(T, 0), T > 0)
     force = positive(Ne(m / T**2, 0), [assume(m > 0), positive_square()])
     named = renamed(units, Iff((DELAYED, SCALED)), *map(assume, TABLE))
@@ -28,8 +28,7 @@ def in_own_units() -> Theorem:
 def same_loop(other: Terms) -> Theorem:
     """X H of one loop is that of another with the same numbers, its symbols put for these."""
     here = mp(in_own_units(), assume(DELAYED))
-    there = inst(here, other)
-    equal = one_answer(here, there)
+    equal = one_answer(here, inst(here, other))
     alive = turns(assume(DELAYED))
     wall = K + B * (z - 1) / (T * z)
     sides = [(wall * X).xreplace(values) for values in ({}, other)]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from symhaptic.book.lemmas.decided import decided_by
-from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import PI, cosine_bounds
 from symhaptic.notation import m_v

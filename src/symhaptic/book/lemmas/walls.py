@@ -1,10 +1,9 @@
 """Walls in the units of Table I that meet (5) at every frequency, and loops that are not stable."""
 
 from symhaptic.book.lemmas.passive_is_stable import MARGIN
-from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.lemmas.stability import polynomial_at
 from symhaptic.paper.propositions.comparison import passive
-from symhaptic.proof.theorems.definitions import loop_substituted
 
 
 def margins(below: Proposition) -> Theorem:
@@ -24,19 +23,15 @@ def met(point: Mapping[Expr, Expr], *products: Any) -> Theorem:
     """(5) at every frequency for the wall of a point."""
     frequencies = passive().at(point)
     given, relation = frequencies.body.of  # type: ignore[attr-defined]
-    found = closed(combined(relation, *products), *divisors(omega))
-    return for_all([omega], given.of, found)
+    return for_all([omega], given.of, closed(combined(relation, *products), *divisors(omega)))
 
 
 def unstable(point: Mapping[Expr, Expr]) -> Theorem:
     """That a loop is not stable: by a root outside, at 1 or beyond."""
-    values = [point[s] for s in (alpha, beta, gamma, delta, d)]
-    share = point[d].q
-    parts = {"stiffness": point[gamma] != 0, "damping": point[delta] != 0}
-    loop = closed(loop_substituted(values, z, share, **parts), fact(whole(share * point[d])))
+    loop = polynomial_at(point)
     zeros = loop.conclusion.of[1].of[0]  # type: ignore[attr-defined]
     at_one = zeros.subs(z, 1)
-    if share > 1:
+    if point[d].q > 1:
         return denied_by(loop, root_outside(zeros, z))
     if at_one == 0:
         return denied_by(loop, zero_on_circle(zeros, z, S.Zero, identity(at_one, S.Zero)))

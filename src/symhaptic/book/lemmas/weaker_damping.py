@@ -6,7 +6,6 @@ stable stiffness on all of (23), near enough for dampings that are two percent a
 
 import itertools
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.marginal import LIMIT, NEAR, behind
 from symhaptic.book.lemmas.near_tip import Arm, none_above, rounded, wall_below
 from symhaptic.book.lemmas.one_plane import right_of_the_line
@@ -14,7 +13,7 @@ from symhaptic.book.lemmas.passive_tip import at_unit, is_passive, passive_tip
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import FREE, least, passive_wall
 from symhaptic.book.lemmas.ratio_peak import LIMIT as MOST
-from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
+from symhaptic.book.lemmas.stiffest_stable import no_stiffer, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import (
     ELEVEN,
     LATE,
@@ -90,8 +89,7 @@ def _positive(line: Expr, symbol: Symbol, above: Theorem) -> Theorem:
 
 def passive_at(passive: Theorem, values: Any) -> Theorem:
     """The passive wall of maximum stiffness beside another damper."""
-    found = inst(passive, values)
-    return numbers_known(found)
+    return numbers_known(inst(passive, values))
 
 
 def _gap(low: Expr, high: Expr, damper: Theorem, heavier: Theorem) -> Theorem:

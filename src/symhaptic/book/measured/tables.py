@@ -109,10 +109,10 @@ def calls(rows: list[Row]) -> Table:
             cells.append(f"{call}: {nanoseconds(seconds)}" if call else "-")
         found.append(tuple(cells))
     says = (
-        "The fastest call whose error, in parts of the largest term, is at most this on all "
-        "ordinary and hard parameters, none of them NaN, and its time per value. C is exported "
-        "code, digits= is an argument of the function, and float32 and mpmath are what lambdify "
-        "makes, with so many digits."
+        "The table gives the fastest call with at most this error, and its time per value. The "
+        "error is relative to the largest term, for all ordinary and hard parameters, and no "
+        "result is NaN. C is exported code, and digits= is an argument of the function. lambdify "
+        "makes the functions for float32 and for mpmath, here with the given number of digits."
     )
     head = ("function", *(f"to {_power(most)}" for most in ERRORS))
     return Table("For this error, take this call", head, tuple(found), len(head), says)
@@ -143,8 +143,8 @@ def judges(rows: list[Row]) -> Table:
         seconds, call = min(good, default=(0.0, "-"))
         found.append((_power(distance), call, nanoseconds(seconds) if good else "-"))
     says = (
-        "The fastest call that gives a verdict, and the right one, for all walls at a relative "
-        "distance from the boundary, and its time per wall there, of all delays the longest."
+        "The table gives the fastest call with a correct verdict for all walls at this relative "
+        "distance from the boundary. The time is per wall, for the slowest delay."
     )
     head = ("distance", "call", "time")
     return Table("For this distance, take this call", head, tuple(found), 2, says)

@@ -123,11 +123,9 @@ def says(quoted: Quoted, ball: arb) -> bool | None:
     ends = [_fraction(ball.lower()), _fraction(ball.upper())]
     printed, half = Fraction(quoted.digits), Fraction(quoted.unit) / 2
     answers = {
-        {
-            "about": abs(end - printed) < half,
-            "below": end < printed,
-            "above": end > printed,
-        }[quoted.how]
+        {"about": abs(end - printed) < half, "below": end < printed, "above": end > printed}[
+            quoted.how
+        ]
         for end in ends
     }
     return answers.pop() if len(answers) == 1 else None

@@ -191,7 +191,7 @@ LINE = 29.0
 """Width of an equation in em, the number on its right taken off."""
 
 FORM = 29.5
-"""Width of the column of printed forms, in em of its own size."""
+"""Width of the column of published forms, in em of its own size."""
 
 
 def rows_of(lines: Iterable[tuple[Any, str, Any]]) -> list[str]:
@@ -217,7 +217,7 @@ def rows_of(lines: Iterable[tuple[Any, str, Any]]) -> list[str]:
 
 
 def broken(printed: str) -> list[str]:
-    r"""A printed formula split at its ``\br`` markers; those inside a fraction stack there."""
+    r"""A published formula split at its ``\br`` markers; those inside a fraction stack there."""
     if r"\br " in printed:  # a bracket may open on one line and close on the next
         printed = printed.replace(r"\left", r"\bigl").replace(r"\right", r"\bigr")
     return [_stacked(part) for part in parted(printed, r"\\br ")]

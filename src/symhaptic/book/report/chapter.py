@@ -1,4 +1,4 @@
-"""One chapter as a page: prose, steps with their proofs beside, printed forms."""
+"""One chapter as a page: prose, steps with their proofs beside, published forms."""
 
 from __future__ import annotations
 
@@ -264,7 +264,7 @@ def referred(id: str) -> tree.Link:
 
 
 def _printed(item: Settled, place: Place) -> nodes.container:
-    """A statement of the paper as printed, what it claims, its verdict and what is right."""
+    """A statement of the paper as published, what it claims, its verdict and what is right."""
     statement, verdict = item.statement, item.verdict
     id = statement.id
     head = paragraph(strong(id), " — ", words(statement.location))

@@ -9,6 +9,7 @@ from functools import singledispatch
 from docutils import nodes
 from docutils.nodes import Element, Node
 
+from symhaptic.book.parts import titles
 from symhaptic.book.report.breaking import in_margin, running, stack, width
 from symhaptic.book.report.chapter import reference
 from symhaptic.book.report.tree import Link, as_sentence, label, place_of, words
@@ -102,7 +103,8 @@ def _(node: Link) -> str:
         case "row":
             return f"\\rowplace{{{at}}}"
         case "chapter":
-            return f"\\chapterlink{{{re.sub('[^0-9]', '', node.astext())}}}"
+            number, named = re.sub("[^0-9]", "", node.astext()), titles().get(at)
+            return f"\\chapterlink{{{number}}}" + f"{{{prose(named) if named else literally(at)}}}"
     return _inner(node)
 
 
@@ -178,7 +180,7 @@ def _(node: nodes.section) -> list[str]:
     if not forms:
         return [f"\\heading{{{title(node)}}}", *_blocks(node.children[1:])]
     rows = [row for form in forms for row in block(form)]
-    if len(rows) > 1:  # neither the first row nor the last stands alone
+    if len(rows) > 3:  # neither the first row nor the last stands alone
         rows[0] += "\\together"
         rows[-2] = rows[-2].removesuffix("\\together") + "\\together"
     return [f"\\printedforms{{{title(node)}}}", *rows, "\\formsend", ""]
@@ -203,10 +205,11 @@ def _step(node: nodes.container) -> list[str]:
             out += _formula(child, verdict)
         elif _is(child, "claim"):
             out += _claim(child, verdict)
-        elif _is(child, "numbers"):
-            out += [f"\\numbers{{{inline(child)}}}"]
-        else:
+        elif not _is(child, "numbers"):
             out += [inline(child)]
+    if any(_is(child, "claim") for child in before):
+        found = [inline(child) for child in before if _is(child, "numbers")]
+        out += [f"\\numbers{{{' '.join([as_sentence(_method(verdict)), *found])}}}"]
     return [*out, ""]
 
 
@@ -244,12 +247,12 @@ def _formula(node: Element, verdict: Element) -> list[str]:
 
 def _claim(node: Element, verdict: Element) -> list[str]:
     """A theorem, what it is, and beside it what it rests on."""
-    kind, number, method = verdict["verdict"], verdict["number"], _method(verdict)
+    kind, number = verdict["verdict"], verdict["number"]
     shown = sum(width(formula.astext()) for formula in node.findall(nodes.math))
     said = inline(node) if shown <= LONG_CLAIM else f"\\onsite{{{_site(node, 'theorem', number)}}}"
     place = f"\\theoremplace{{{number}}}\\theoremrow{{{number}}}"
     box = "boxedclaim" if "boxed" in node["classes"] else "claim"
-    return [f"\\{box}{{{said}}}{{{place}}}{{{kind}}}{{{method}}}"]
+    return [f"\\{box}{{{said}}}{{{place}}}{{{kind}}}"]
 
 
 def _site(node: Element, to: str, at: str) -> str:
@@ -291,10 +294,14 @@ def _statement(node: nodes.container) -> list[str]:
         place += f"\\\\\\claimed{{{_site(node, node['to'], id)}}}"
     lines = [_within(one) for one in body if one.get("only") != "site"]
     beside = [one for one in verdict.children if one.get("only") != "site"]
-    grounds = [_beside(one) for one in beside if "ground" in one["classes"]]
-    said = ": ".join(inline(one) for one in beside if "ground" not in one["classes"])
-    said += "".join(f"\\\\\\textcolor{{black!60}}{{{ground}}}" for ground in grounds)
-    return [f"\\form{{{place}}}{{" + "\\\\[2pt]".join(lines) + f"}}{{{said}}}"]
+    grounds = [as_sentence(_beside(one)) for one in beside if "ground" in one["classes"]]
+    said, *shows = (inline(one) for one in beside if "ground" not in one["classes"])
+    if sum(map(letters, shows)) <= BESIDE:
+        said = ": ".join([said, *shows])
+    else:
+        lines.append("".join(map(as_sentence, shows)))
+    below = f"\\below{{{' '.join(grounds)}}}" if grounds else ""
+    return [f"\\form{{{place}}}{{" + "\\\\[2pt]".join(lines) + f"}}{{{said}}}{below}"]
 
 
 def _within(node: Element) -> str:

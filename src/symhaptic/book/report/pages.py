@@ -65,14 +65,11 @@ USE = (
     ("Passive or not, at each frequency below $\\pi/T$", ("eq5",)),
     ("The boundary of the passive walls: an arc and a line", ("eq7", "eq8")),
     ("Passive or not in short: without delay, and for light damping", ("eq6", "eq9")),
-    (
-        "The boundary of the stable walls, for every device and delay",
-        ("explicit-boundary",),
-    ),
+    ("The boundary of the stable walls, for every device and delay", ("explicit-boundary",)),
     ("Stable or not, by Jury's inequalities", ("jury-inequalities",)),
     ("The linear limit of stability", ("eq24", "eq25")),
     ("Passive walls are stable", ("s5a-subset",)),
-    ("Behind a delay of $(\\ell+\\varepsilon)T$: passive or not", ("fractional-passivity",)),
+    ("With a delay of $(\\ell+\\varepsilon)T$: passive or not", ("fractional-passivity",)),
 )
 """What a reader asks, and the statements that answer."""
 
@@ -286,10 +283,7 @@ def _unchecked(entries: Sequence[Entry]) -> list[Node]:
 
 # -- what is believed -----------------------------------------------------------------
 
-TITLES = {
-    "kernel": "Logic: the rules of the kernel",
-    "leaves": "What the deciders know",
-}
+TITLES = {"kernel": "Logic: the rules of the kernel", "leaves": "What the deciders know"}
 """Headings of the modules of rules; all others say what predicates mean."""
 
 

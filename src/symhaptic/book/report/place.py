@@ -32,7 +32,7 @@ DRAFT = ".draft-"
 STALE = 3600
 """Seconds after which a draft is removed: the machine went down while it was made."""
 
-KEPT = (".tex", ".sty", ".json", ".pdf")
+KEPT = (".tex", ".sty", ".bib", ".json", ".pdf")
 """Endings of what a report consists of; the rest is TeX's."""
 
 MARKS = b"/Creator (symhaptic)", b"/GeneratedBy (symhaptic)"

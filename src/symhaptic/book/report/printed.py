@@ -10,12 +10,12 @@ from functools import partial
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from symhaptic.book.chapters import Chapter, expected_bench, expected_mutants
+from symhaptic.book.chapters import Chapter, expected_bench, expected_mutants, source_beside
 from symhaptic.book.committed import GENERATED, committed
 from symhaptic.book.ledger import by_source, counted, ledger, of_chapter
 from symhaptic.book.measured.chapter import measurement
 from symhaptic.book.measured.record import BadRecord
-from symhaptic.book.parts import OWN, PARTS, in_parts, part_of
+from symhaptic.book.parts import OWN, PARTS, in_parts, numbers, part_of
 from symhaptic.book.processes import run
 from symhaptic.book.record import Block
 from symhaptic.book.report import latex, pages
@@ -23,7 +23,9 @@ from symhaptic.book.report.chapter import Place
 from symhaptic.book.report.chapter import page as chapter_page
 from symhaptic.book.report.place import ReportError, drafted, left_over, refuse_foreign
 from symhaptic.book.rests import between, shown_in
+from symhaptic.book.sources import PAPER
 from symhaptic.proof.verdict import Kind
+from symhaptic.version import __version__
 
 Numbered: TypeAlias = tuple[int, Chapter]
 """A chapter and its number in the book."""
@@ -58,6 +60,9 @@ ALWAYS = ("ledger.json", "results.tex", "errata.tex")
 
 PACKAGE = "symhaptic.sty"
 """What a chapter's LaTeX needs."""
+
+CITED = "symhaptic.bib"
+"""BibTeX entries of the package and of the source, beside chapters for a document of your own."""
 
 BAD = r"^(?:Overfull \\[hv]box.*|LaTeX Warning: Reference.*|.*has been referenced but does not.*)$"
 """Lines of TeX's log about what a reader would find: a line or page too long, a link to nowhere."""
@@ -94,7 +99,7 @@ def names_of(paths: list[Path], pdf: bool) -> list[str]:
 def names_of_excerpt(paths: list[Path], standalone: bool, pdf: bool) -> list[str]:
     """The same of some chapters alone."""
     alone = ["chapters.tex"] * standalone + ["chapters.pdf"] * pdf
-    return [PACKAGE, *(f"{path.stem}.tex" for path in paths), *alone]
+    return [PACKAGE, CITED, *(f"{path.stem}.tex" for path in paths), *alone]
 
 
 # -- text -----------------------------------------------------------------------------
@@ -160,9 +165,14 @@ def _parts(numbered: Sequence[Numbered]) -> list[dict[str, Any]]:
 
 def excerpt_files(chapters: Sequence[Numbered], standalone: bool) -> dict[str, str]:
     """Some chapters, with their numbers in the book, and what a document needs for them."""
-    files = _chapter_files(chapters)
+    first = chapters[0][1]
+    source = source_beside(first.path) or (PAPER if first.name in numbers() else None)
+    files = _chapter_files(chapters) | {CITED: filled(CITED, source=source)}
     if standalone:
-        files["chapters.tex"] = filled("chapters.tex", chapters=[one.name for _, one in chapters])
+        names, said = [one.name for _, one in chapters], latex.literally
+        given = {"title": said(source.title if source else first.title)}
+        given["author"] = said(source.authors) if source else "symhaptic"
+        files["chapters.tex"] = filled("chapters.tex", chapters=names, source=source, **given)
     return files
 
 
@@ -200,7 +210,8 @@ def filled(name: str, **given: Any) -> str:
         comment_start_string="<#",
         comment_end_string="#>",
     )
-    return environment.get_template(name).render(title=TITLE, generated=GENERATED, **given)
+    own = {"title": TITLE, "author": "symhaptic", "version": __version__, "said": latex.literally}
+    return environment.get_template(name).render(**own | given, generated=GENERATED)
 
 
 # -- files ----------------------------------------------------------------------------

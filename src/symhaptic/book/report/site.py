@@ -267,7 +267,8 @@ def _sphinx(source: Path, made: Path, doctrees: Path) -> None:
     done = run([sys.executable, "-m", "sphinx", *how, source, made])
     if done.returncode != 0:
         told = (done.stderr or done.stdout).strip().splitlines() or ["no message"]
-        raise ReportError(f"the site: {told[0]}")
+        why = next((line.strip() for line in told if "(exception: " in line), told[0])
+        raise ReportError(f"the site: {why}")
     for path in made.glob("*.html"):  # a heading without a level is none to a screen reader
         text = path.read_text(encoding="utf-8")
         text = text.replace('role="heading"', 'role="heading" aria-level="2"')

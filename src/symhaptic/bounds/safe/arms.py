@@ -100,3 +100,15 @@ def ratios(loops: Loops, hands: Hands) -> tuple[arb, arb]:
         ]
         found.append(values[0].union(values[1]) * unit)
     return found[0], found[1]
+
+
+def halved(angles: Ends, hands: Hands, across: int) -> list[tuple[Ends, Hands]]:
+    """Both halves of a piece of the circle and of the arms, the lower one first."""
+    box = (angles, *hands)
+    low, high = box[across]
+    middle = (low + high) / 2
+    found = []
+    for half in ((low, middle), (middle, high)):
+        arc, h, r, s = (half if i == across else ends for i, ends in enumerate(box))
+        found.append((arc, (h, r, s)))
+    return found

@@ -16,7 +16,7 @@ from typing import NamedTuple
 from flint import acb, acb_poly, arb, arb_mat, ctx
 
 from symhaptic.bounds.balls import exact, sinc
-from symhaptic.bounds.safe.arms import Ends, Hands, Loops, midway, moved, ratios, span
+from symhaptic.bounds.safe.arms import Ends, Hands, Loops, halved, midway, moved, ratios, span
 from symhaptic.bounds.safe.prove import Columns
 
 BITS = 80
@@ -54,7 +54,7 @@ def recheck(claim: Certificate) -> bool:
                 if not _clear(claim, arc, hands, _DEEPER):
                     return False
             elif cut in "0123":
-                pieces += _halves(arc, hands, int(cut))[::-1]
+                pieces += halved(arc, hands, int(cut))[::-1]
             else:
                 return False
     return not pieces
@@ -93,16 +93,6 @@ def _within(columns: Columns, i: int, wall: tuple[float, float]) -> bool:
     return columns.low <= K <= columns.tops[i] and columns.edges[i] <= B <= columns.edges[i + 1]
 
 
-def _halves(arc: Ends, hands: Hands, across: int) -> list[tuple[Ends, Hands]]:
-    box = [arc, *hands]
-    low, high = box[across]
-    found = []
-    for half in ((low, (low + high) / 2), ((low + high) / 2, high)):
-        box[across] = half
-        found.append((box[0], (box[1], box[2], box[3])))
-    return found
-
-
 def _clear(claim: Certificate, arc: Ends, hands: Hands, deeper: int) -> bool:
     """Whether no wall of the columns has a root on this piece for one of these arms."""
     if _apart(claim, arc, hands):
@@ -112,7 +102,7 @@ def _clear(claim: Certificate, arc: Ends, hands: Hands, deeper: int) -> bool:
     box = [arc, *hands]
     wide = [i for i in (0, 1, 2, 3) if box[i][0] < box[i][1]]
     across = wide[deeper % len(wide)]
-    return all(_clear(claim, *half, deeper - 1) for half in _halves(arc, hands, across))
+    return all(_clear(claim, *half, deeper - 1) for half in halved(arc, hands, across))
 
 
 def _apart(claim: Certificate, arc: Ends, hands: Hands) -> bool:
@@ -273,10 +263,7 @@ def _enclosed(loops: Loops, arc: Ends, hands: Hands) -> tuple[arb, arb, arb, arb
     turned = acb((lag * theta).cos(), (lag * theta).sin()) * acb(right, -aside) / size
     ahead = acb(((d + 1) * theta).cos(), ((d + 1) * theta).sin()) * acb(right, -aside) / size
     half = (theta / 2).cos()
-    heavy = (
-        mass[0] * (2 * (low / 2).sin() / T) ** 2,
-        mass[1] * (2 * (high / 2).sin() / T) ** 2,
-    )
+    heavy = (mass[0] * (2 * (low / 2).sin() / T) ** 2, mass[1] * (2 * (high / 2).sin() / T) ** 2)
 
     def pushed(c: arb) -> arb:
         return _between(heavy, weight * c) - _between(stiffness, c)

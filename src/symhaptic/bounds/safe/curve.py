@@ -21,16 +21,7 @@ from typing import NamedTuple, TypeAlias
 from flint import arb, arb_series
 
 from symhaptic.bounds.balls import exact, sinc
-from symhaptic.bounds.safe.arms import (
-    Ends,
-    Hands,
-    Loops,
-    Moved,
-    midway,
-    moved,
-    ratios,
-    span,
-)
+from symhaptic.bounds.safe.arms import Ends, Hands, Loops, Moved, midway, moved, ratios, span
 
 _TERMS = 24
 """Terms of the series of a period's motion."""

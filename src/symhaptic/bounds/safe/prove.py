@@ -18,7 +18,7 @@ import numpy as np
 from flint import ctx
 from numpy.typing import NDArray
 
-from symhaptic.bounds.safe.arms import Ends, Hands, Loops
+from symhaptic.bounds.safe.arms import Ends, Hands, Loops, halved
 from symhaptic.bounds.safe.curve import Walls, late, walls
 
 BITS = 64
@@ -142,18 +142,6 @@ def widest(loops: Loops, piece: Piece, K: float, B: float) -> tuple[float, int]:
     )
     across = max(range(4), key=sizes.__getitem__)
     return sizes[across], across
-
-
-def halved(angles: Ends, hands: Hands, across: int) -> list[tuple[Ends, Hands]]:
-    """Both halves of a piece, the lower one first."""
-    box = (angles, *hands)
-    low, high = box[across]
-    middle = (low + high) / 2
-    found = []
-    for half in ((low, middle), (middle, high)):
-        arc, h, r, s = (half if i == across else ends for i, ends in enumerate(box))
-        found.append((arc, (h, r, s)))
-    return found
 
 
 def shown(loops: Loops, columns: Columns, most: int = _EASY + _HARD, fine: float = _FINE) -> Shown:

@@ -7,9 +7,8 @@ SymPy expression of :mod:`symhaptic.model`, turned into operations on balls.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from typing import NamedTuple, TypeAlias
 
 import sympy as sp
@@ -155,32 +154,14 @@ def compiled(exprs: Sequence[Expr], given: Sequence[sp.Symbol] = NAMES) -> Calla
     return made
 
 
-@dataclass(frozen=True)
 class Formula:
     """An expression in one variable and the plant's numbers, with its slopes, in balls."""
 
-    expr: Expr
-    variable: sp.Symbol
-
-    @cached_property
-    def _slope(self) -> Expr:
-        return derivative(self.expr, self.variable)
-
-    @cached_property
-    def _values(self) -> Callable[..., list[arb]]:
-        return compiled([self.expr], (self.variable, *NAMES))
-
-    @cached_property
-    def _slopes(self) -> Callable[..., list[arb]]:
-        return compiled([self._slope], (self.variable, *NAMES))
-
-    @cached_property
-    def _bends(self) -> Callable[..., list[arb]]:
-        return compiled([derivative(self._slope, self.variable)], (self.variable, *NAMES))
-
-    @cached_property
-    def _parts(self) -> Callable[..., list[arb]]:
-        return compiled([derivative(self.expr, name) for name in NAMES], (self.variable, *NAMES))
+    def __init__(self, expr: Expr, variable: sp.Symbol) -> None:
+        slope = derivative(expr, variable)
+        asked = [expr], [slope], [derivative(slope, variable)], [derivative(expr, n) for n in NAMES]
+        made = (compiled(exprs, (variable, *NAMES)) for exprs in asked)
+        self._values, self._slopes, self._bends, self._parts = made
 
     def value(self, at: arb, x: Numbers) -> arb:
         """The expression."""

@@ -59,8 +59,8 @@ class Loop:
     def __post_init__(self) -> None:
         if self.delay > _LONGEST:
             raise ValueError(
-                f"delay: {self.delay!r} is not allowed; give at most {_LONGEST:g} periods, since "
-                "the boundary has a piece for every one of them"
+                f"delay: {self.delay!r} is not allowed; give at most {_LONGEST:g} periods: the "
+                "boundary has one piece for each period"
             )
 
     @cached_property

@@ -13,7 +13,7 @@ from symhaptic.kernels import haptic
 from symhaptic.numeric import arguments, slopes, stability
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.boundary import end, point, tangent
-from symhaptic.numeric.compiled import at_once, of
+from symhaptic.numeric.compiled import MODULE, at_once, finite, of
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.crossings import wall
 from symhaptic.numeric.extremum import Extremum
@@ -42,7 +42,7 @@ _TRIED = np.geomspace(1e-16, 10.0, 100) * np.array([[-1.0], [1.0]])
 """Stiffnesses that are tried where none is found, in parts of gamma or 1."""
 
 
-@at_once("max_stable_stiffness", into=Extremum, finite=True)
+@at_once("max_stable_stiffness", into=Extremum, sure=finite)
 @kept(Extremum, alpha=float, beta=float, theta=float)
 @slopes.in_jax(
     Extremum._fields, instead="lambdify('max_stable_stiffness', modules='jax') has derivatives"
@@ -186,6 +186,8 @@ def stiffest_at(beta: float, gamma: float, delta: float, delay: float) -> Extrem
     NaN where no stiffness makes it stable.  Raises :class:`ValueError` where one of those tried
     does and pieces of the boundary are missed.
     """
+    if MODULE is not None and (found := MODULE.one_limit_at(beta, gamma, delta, delay)) is not None:
+        return Extremum(found[0], np.asarray(beta), found[1])
     nothing = Extremum(*np.array([np.nan, beta, np.nan]))
     if stuck(np.asarray(gamma), np.asarray(delta)):
         return nothing
@@ -208,6 +210,7 @@ def stiffest_at(beta: float, gamma: float, delta: float, delay: float) -> Extrem
     return Extremum(walls[last], np.asarray(beta), angles[last])
 
 
+@at_once("limit_at", sure=finite)
 @kept(alpha=float, theta=float)
 @slopes.in_jax(("alpha", "theta"))
 def limit_at(

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from symhaptic.notation import sizes
 from symhaptic.numeric import arguments, slopes
 from symhaptic.numeric.arguments import Array
+from symhaptic.numeric.compiled import MODULE, at_once, told
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.crossings import wall
 from symhaptic.numeric.given import Given
@@ -35,6 +36,7 @@ _BLOCK = 8192
 """Walls that are worked on at a time: each has many parts of a period, which take memory."""
 
 
+@at_once("max_delay", sure=told)
 @kept(delay=float)
 @slopes.in_jax(("delay",))
 def max_delay(
@@ -98,26 +100,27 @@ def max_delay(
     """
     arguments.one_of("sheet", sheet, SHEETS)
     given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta)
+    return given.by_numpy(partial(_largest, sheet))[0]  # type: ignore[no-any-return]
+
+
+def _largest(sheet: str, *loop: Array) -> list[Array]:
     search: Callable[..., Array] = _principal if sheet == "principal" else _exact
     bounds: list[tuple[float, ...]] = []
-    work = partial(
-        arguments.in_blocks,
-        lambda *block: [search(*block, bounds)],
-        block=_BLOCK,
-        told="delay margins",
-    )
-    found = given.by_numpy(work)[0]
+    found = arguments.in_blocks(
+        lambda *block: [search(*block, bounds)], *loop, block=_BLOCK, told="delay margins"
+    )[0]
     if bounds:
         numbers = zip(("alpha", "beta", "gamma", "delta"), bounds[0], strict=True)
         warnings.warn(
             f"max_delay: {', '.join(f'{name}={value!r}' for name, value in numbers)} gives a "
             f"lower bound of the largest delay only ({len(bounds)} of {np.size(found)} values)",
             RuntimeWarning,
-            stacklevel=3,
+            stacklevel=7,
         )
-    return found  # type: ignore[no-any-return]
+    return [found]
 
 
+@at_once("delay_margin", sure=told)
 @kept(margin=float)
 @slopes.in_jax(("margin",))
 def delay_margin(
@@ -176,7 +179,7 @@ def delay_margin(
 def _added(sheet: str, *loop: Array) -> list[Array]:
     """The delay margin of walls, plants and delays."""
     al, be, g, dl, delay = loop
-    margin = np.asarray(max_delay(al, be, g, dl, sheet) - delay)
+    margin = np.asarray(_largest(sheet, al, be, g, dl)[0] - delay)
     lost = margin <= 0  # not for NaN
     al, be, g, dl, delay = (np.broadcast_to(a, margin.shape)[lost] for a in loop)
     late = (delay > 0) & is_stable(al, be, g, dl, delay, sheet)
@@ -191,9 +194,10 @@ def _exact(
     shape = known.shape
     numbers = (np.where(known, a, 0.0).reshape(-1) for a in (alpha, beta, gamma, delta))
     al, be, g, dl = (np.broadcast_to(a, (known.size,)) for a in numbers)
-    lost = np.asarray(is_stable(al, be, g, dl, 0.0))
-    some = np.flatnonzero(lost)
-    found = np.zeros(known.size)
+    found = np.full(known.size, np.nan) if MODULE is None else MODULE.max_delay(al, be, g, dl)
+    some = np.flatnonzero(np.isnan(found))
+    found[some] = 0.0
+    some = some[is_stable(al[some], be[some], g[some], dl[some], 0.0)]
     loops = Loops(wall(al[some], be[some]), g[some], dl[some], device(g[some], dl[some]))
     found[some], bound = first_loss(loops, _first_lost(loops))
     at = some[bound]

@@ -91,7 +91,9 @@ class Region(Shape):
             arguments.refuse(name, array, np.isnan(array), "finite numbers")
             arguments.single(name, array)
         if alpha == beta == 0:
-            raise ValueError(f"alpha: {alpha} beside beta={beta} is not allowed; give a direction")
+            raise ValueError(
+                f"alpha: {alpha} with beta={beta} is no direction; give one that is not 0"
+            )
         found = farthest(self.loop, np.array([alpha, beta]))
         for corner in self.corners:
             if corner @ (alpha, beta) > np.dot((alpha, beta), found[:2]) or np.isnan(found[0]):

@@ -104,8 +104,8 @@ def robust_region(
     delta, delay = numbers["delta"], numbers["delay"]
     if delay > _LONGEST:
         raise ValueError(
-            f"delay: {delay!r} is not allowed; give at most {_LONGEST} periods, since every half "
-            "turn of z^(delay + 1) takes springs of its own"
+            f"delay: {delay!r} is not allowed; give at most {_LONGEST} periods: each further "
+            "period adds springs that have to be computed"
         )
     tolerance = arguments.one("tolerance", tolerance)
     if not 1e-6 <= tolerance < 1:

@@ -33,8 +33,7 @@ def _numbers_of_the_arm(printed: Printed) -> Proposition:
 @claims("eq20")
 def _bounds_of_the_numbers(printed: Printed) -> Proposition:
     """Of the numbers of (19), "assuming positive masses and dampers".  A spring may be zero."""
-    parts = [part > 0 for part in (T, m_D, m_H, b_D, b_H)]
-    given = [*parts, k_H >= 0, *transcribed("eq19")]
+    given = [*[part > 0 for part in (T, m_D, m_H, b_D, b_H)], k_H >= 0, *transcribed("eq19")]
     return ForAll((*ARM, gamma, delta), implied(given, both(printed)))
 
 

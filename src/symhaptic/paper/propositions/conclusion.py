@@ -11,13 +11,7 @@ from symhaptic.paper.propositions.digits import number, quoted
 from symhaptic.paper.propositions.passivity import FIVE, WALL, at_every_frequency
 from symhaptic.paper.propositions.prelude import *
 from symhaptic.paper.propositions.ratio import BEST, outdoes, passive, stable
-from symhaptic.paper.propositions.stability import (
-    HEAVY,
-    LOOPS,
-    STIFFER,
-    STRONGER,
-    in_units,
-)
+from symhaptic.paper.propositions.stability import HEAVY, LOOPS, STIFFER, STRONGER, in_units
 from symhaptic.paper.ranges import DAMPED as DAMPER_END
 from symhaptic.paper.ranges import STIFF as SPRING_END
 
@@ -149,8 +143,7 @@ FACTOR = Symbol("c")
 
 def within_a_factor(best: Proposition, others: Proposition) -> Proposition:
     """Some stable wall is not outdone by more than some factor."""
-    some = outdoes(best, others, alpha < FACTOR * x)
-    return Exists((FACTOR,), both([FACTOR > 0, some]))
+    return Exists((FACTOR,), both([FACTOR > 0, outdoes(best, others, alpha < FACTOR * x)]))
 
 
 @claims("s6-damping-any-delay")

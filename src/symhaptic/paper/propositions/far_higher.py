@@ -5,12 +5,7 @@ from __future__ import annotations
 from symhaptic.notation import x, y
 from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions.prelude import *
-from symhaptic.paper.propositions.ratio import (
-    BEST,
-    outdoes,
-    passive,
-    stable,
-)
+from symhaptic.paper.propositions.ratio import BEST, outdoes, passive, stable
 from symhaptic.paper.ranges import DAMPED
 
 RATIOS = {

@@ -148,8 +148,7 @@ def lagging(*walls: Expr) -> Proposition:
 
 def decides(damping: Expr = beta, physical: Expr = delta) -> Proposition:
     """(25) tells whether a wall is stable."""
-    same = Iff((both(transcribed("eq25")), STABLE))
-    return same.at({beta: damping, delta: physical})
+    return Iff((both(transcribed("eq25")), STABLE)).at({beta: damping, delta: physical})
 
 
 EXCHANGED = {beta: beta - x, delta: delta + x}

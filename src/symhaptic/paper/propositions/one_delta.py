@@ -31,8 +31,7 @@ MEETS = at_every_frequency(FIVE).at({b: b_D})
 
 def drawn(damping: Expr = WHOLE, scale: Expr = S.One) -> Proposition:
     """The wall, ``scale`` times as large, meets (5) in the units of Table I with this delta."""
-    walls = passive().at({s: scale * v for s, v in UNITS.items()})
-    return walls.at({delta: damping})
+    return passive().at({s: scale * v for s, v in UNITS.items()}).at({delta: damping})
 
 
 @claims("one-delta")
@@ -95,8 +94,7 @@ def ratios() -> Proposition:
     """
     parts = []
     for damping, (low, high) in ((ARM[delta], RATIOS["one"]), (DEVICE, RATIOS["own"])):
-        walls = dict(zip(WALL, BEST, strict=True))
-        other, best = beside(damping), beside(damping).at(walls)
+        other, best = beside(damping), beside(damping).at(dict(zip(WALL, BEST, strict=True)))
         parts += [
             outdoes(stable(0, BEST), other, low * alpha < x),
             outdoes(best, stable(0), alpha < high * x),

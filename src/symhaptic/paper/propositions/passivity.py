@@ -202,10 +202,7 @@ def _damping_ends_at_that_of_the_device(printed: Printed) -> Proposition:
     """A wall that meets (5) has no damping beyond these points (x, y), which just meet it."""
     point = [proposition(e).at({K: x, B: y}) for e in printed]
     met = at_every_frequency(b - FIVE.rhs >= 0).at({K: x, B: y})
-    ends = [
-        implied(point[:2], both([met, y >= B])),
-        implied(point[2:], both([met, y <= B])),
-    ]
+    ends = [implied(point[:2], both([met, y >= B])), implied(point[2:], both([met, y <= B]))]
     return ForAll((*WALL, x, y), implied([*LOOP, at_every_frequency(FIVE)], both(ends)))
 
 

@@ -10,11 +10,7 @@ from typing import Any
 
 import sympy as sp
 
-from symhaptic.paper.propositions.comparison import (
-    COMES_TO_REST,
-    PASSIVE_WALL,
-    STABLE,
-)
+from symhaptic.paper.propositions.comparison import COMES_TO_REST, PASSIVE_WALL, STABLE
 from symhaptic.paper.propositions.linear import on_the_line_of_25
 from symhaptic.paper.propositions.passivity import ABOVE, BORDER
 from symhaptic.paper.propositions.prelude import *

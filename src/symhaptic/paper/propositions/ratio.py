@@ -20,13 +20,7 @@ from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.digits import number, quoted
 from symhaptic.paper.propositions.passivity import PASSIVE
 from symhaptic.paper.propositions.prelude import *
-from symhaptic.paper.propositions.stability import (
-    DEVICE,
-    HEAVIER,
-    LATER,
-    NUMBERS,
-    on_boundary,
-)
+from symhaptic.paper.propositions.stability import DEVICE, HEAVIER, LATER, NUMBERS, on_boundary
 from symhaptic.paper.ranges import DAMPED
 
 WALL, BEST = (alpha, beta), (x, y)

@@ -18,11 +18,7 @@ PRODUCT = R_1 * R_2 - X_1 * X_2, R_1 * X_2 + R_2 * X_1
 """Z_1 Z_2."""
 SIZE = (1 + PRODUCT[0]) ** 2 + PRODUCT[1] ** 2
 """|1 + Z_1 Z_2|^2."""
-REAL = {
-    PARALLEL: R_1 + R_2,
-    FED_BACK: (R_1 + (R_1**2 + X_1**2) * R_2) / SIZE,
-    CHAIN: PRODUCT[0],
-}
+REAL = {PARALLEL: R_1 + R_2, FED_BACK: (R_1 + (R_1**2 + X_1**2) * R_2) / SIZE, CHAIN: PRODUCT[0]}
 """The real part of Z_1 + Z_2, of Z_1/(1 + Z_1 Z_2) and of Z_1 Z_2."""
 
 

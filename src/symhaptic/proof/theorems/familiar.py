@@ -217,8 +217,7 @@ def held_steady_state(device: Theorem, angle: Any) -> Theorem:
 def swinging(device: Sequence[Any], rate: Symbol) -> Theorem:
     """x = exp(sigma t) sin(omega t) obeys Newton's law where both its parts vanish."""
     found = axiom("swings", *device)
-    claim = found.conclusion
-    swings, some = claim.parts
+    swings, some = found.conclusion.parts
     named = Exists((rate,), some.body.at({some.over[0]: rate}))  # type: ignore[attr-defined]
     return conjunct(found, Iff((swings, named)))
 

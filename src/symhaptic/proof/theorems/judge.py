@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from sympy import Eq, Expr, Le, Lt, Ne, Symbol
 from sympy.core.relational import Relational
 
+from symhaptic.notation.predicates import JUDGING
 from symhaptic.notation.proposition import (
     FALSE,
     TRUE,
@@ -237,15 +238,17 @@ def concludes(claim: Proposition, form: Expr) -> bool:
 def _is_condition(relation: Proposition, one: Proposition, other: Proposition) -> bool:
     """Whether, of one proposition that implies another, a relation is on a predicate's side.
 
-    That a number is whole says nothing of a wall or a loop.
+    The predicate judges a wall or a loop, and has all symbols of the relation: that a number is
+    whole, or a polynomial of degree 2, says nothing of which walls are passive.
     """
 
-    def is_named(claim: Proposition) -> bool:
-        return isinstance(claim, Predicate) and claim.name != "whole"
+    def judges(claim: Proposition, stated: Proposition) -> bool:
+        named = isinstance(claim, Predicate) and claim.name in JUDGING
+        return named and relation.free & stated.free <= claim.free
 
     if relation in _stated(one):
-        return all(map(is_named, conjuncts(other)))
-    return relation in _stated(other) and any(map(is_named, conjuncts(one)))
+        return all(judges(p, one) for p in conjuncts(other))
+    return relation in _stated(other) and any(judges(p, other) for p in conjuncts(one))
 
 
 def _stated(of: Proposition) -> list[Proposition]:

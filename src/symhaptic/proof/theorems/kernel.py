@@ -12,15 +12,17 @@ Rules are functions of this module, of ``leaves``, ``axioms``, ``analysis``, ``e
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from fractions import Fraction
 from functools import wraps
 from typing import Any, ParamSpec, TypeAlias
 from weakref import WeakValueDictionary
 
-from sympy import Expr, Symbol
+from sympy import Basic, Expr, Symbol
 from sympy.core.relational import Relational
 
 from symhaptic.notation.proposition import (
     FALSE,
+    KINDS,
     And,
     Exists,
     ForAll,
@@ -38,6 +40,7 @@ from symhaptic.notation.proposition import (
     proposition,
 )
 from symhaptic.notation.terms import Term, is_complex, term, tree
+from symhaptic.proof.certificate import Positive
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.theorems.definedness import conditions, kept, limits, needed, real
 
@@ -151,19 +154,23 @@ def _same(part: Any) -> Any:
 
 
 def _read(part: Any) -> Any:
-    """Arguments with propositions for SymPy's relations, which decide themselves when copied.
+    """What a rule is given, read once: a class of one's own may say something else the next time.
 
-    Only what a rule made is taken for a theorem, whatever else has a conclusion.
+    SymPy's relations become propositions, since they decide themselves when they are copied.
     """
-    if hasattr(part, "conclusion") and type(part) is not Theorem:
-        raise NotShown(f"{part!r} is no theorem; a theorem is made by a rule")
     if isinstance(part, Relational):
         return proposition(part)
-    if isinstance(part, (tuple, list, frozenset, Iterator)):
-        return tuple(map(_read, part))
     if isinstance(part, Mapping):
-        return {key: _read(value) for key, value in part.items()}
+        return {_read(key): _read(value) for key, value in part.items()}
+    if isinstance(part, Iterable) and not isinstance(part, (str, Basic)):
+        return tuple(map(_read, part))
+    if type(part) not in _KINDS and not isinstance(part, Expr):
+        raise NotShown(f"{part!r} is no theorem, proposition, term, number, name or certificate")
     return part
+
+
+_KINDS = KINDS | {Theorem, Positive, int, float, bool, str, Fraction}
+"""What a rule is given beside terms, of which :func:`symhaptic.notation.terms.tree` asks."""
 
 
 def _theorems(parts: Iterable[Any]) -> Iterator[Theorem]:

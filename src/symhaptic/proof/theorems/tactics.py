@@ -42,12 +42,7 @@ from symhaptic.proof.theorems.kernel import (
     relation,
     spec,
 )
-from symhaptic.proof.theorems.leaves import (
-    broken,
-    combined,
-    is_whole,
-    number,
-)
+from symhaptic.proof.theorems.leaves import broken, combined, is_whole, number
 from symhaptic.proof.theorems.roots import first_minors
 
 
@@ -74,8 +69,7 @@ def at(theorem: Theorem, values: Terms, *given: Theorem) -> Theorem:
 
 def for_all(symbols: Sequence[Symbol], given: Sequence[Any], theorem: Theorem) -> Theorem:
     """The theorem for all values of the symbols under the hypotheses given."""
-    found = disch(theorem, *given) if given else theorem
-    return gen(found, *symbols)
+    return gen(disch(theorem, *given) if given else theorem, *symbols)
 
 
 def every(symbols: Sequence[Symbol], given: Sequence[Any], then: Any) -> Proposition:
@@ -180,9 +174,7 @@ def either_way(there: Theorem, back: Theorem, left: Any, right: Any) -> Theorem:
 def chained(one: Theorem, other: Theorem) -> Theorem:
     """p <=> r from p <=> q and q <=> r."""
     p, r = one.conclusion.of[0], other.conclusion.of[1]  # type: ignore[attr-defined]
-    there = mp(other, mp(one, assume(p)))
-    back = mp(one, mp(other, assume(r)))
-    return either_way(there, back, p, r)
+    return either_way(mp(other, mp(one, assume(p))), mp(one, mp(other, assume(r))), p, r)
 
 
 def sine_of_half(angle: Any) -> Theorem:
