@@ -62,9 +62,9 @@ from symhaptic.proof.theorems.leaves import (
     roots_inside,
     tends,
 )
-from symhaptic.proof.theorems.roots import jury, last_coefficient, zero_on_circle
+from symhaptic.proof.theorems.roots import jury, last_coefficient, none_enters, zero_on_circle
 from symhaptic.proof.theorems.samples import after_a_blow, held_answer
-from symhaptic.proof.theorems.tactics import one, over
+from symhaptic.proof.theorems.tactics import at, every, one, over
 from symhaptic.rocq import assumptions, compiled
 from symhaptic.rocq.chapter import printed
 
@@ -103,6 +103,24 @@ def squared():
 def apart():
     """x != 0 for 1 < x."""
     return [combined(Relation(x, "!=", S.Zero), [assume(x > 1)], [less(S.Zero, S.One)])]
+
+
+def entered():
+    """Along z^2 - p with z = v^2 nothing enters when p v^3 is added, if nothing crosses."""
+    p, v, q, t = symbols("p v q t")
+    ahead, part = [proposition(t > 0)], [proposition(q > 0), proposition(q <= 1)]
+    spots = [
+        (I * t, [*part, *ahead, proposition(t <= pi / 2)]),
+        (S.Zero, part),
+        (t + I * pi / 2, [*part, *ahead]),
+    ]
+    shown = []
+    for w, given in spots:
+        side = exp(4 * w) - p + q * p * exp(3 * w)
+        claim = every([q, t], given, Relation(side, "!=", S.Zero))
+        shown.append(at(assume(claim), {q: q, t: t}, *map(assume, given)))
+    begin = assume(Predicate("stable", (z,), (z**2 - p,)))
+    return none_enters(begin, p * v**3, (v, q, t, x, y), *shown)
 
 
 def chosen_number():
@@ -379,6 +397,23 @@ ATTACKS = {
             tends(x - 2 / x, x, S.One, S(-1)), tends(x - 2 / x, x, S(2), S.One), *apart()
         ),
         [("x < 2", "x < 1"), ("= 0", "= 1/2")],
+    ),
+    "no root enters": (
+        entered,
+        [
+            ("(0 < x)", "(-1 < x)"),
+            ("1 <= x^2", "1/2 <= x^2"),
+            ("<= PI/2", "<= PI/3"),
+            ("q <= 1)", "q <= 1/2)"),
+            ("(stable (fun z : C => -p + z^2)%C) -> ", ""),
+        ],
+    ),
+    "an order of exponentials": (
+        lambda: combined(
+            Relation(exp(I * x * (y + n)) + exp(-I * x * (y + n)), "<=", S(2)),
+            [2, assume(Relation(cos(x * (y + n)), "<=", S.One))],
+        ),
+        [("(cos(x*(n + y)) <= 1) -> ", ""), ("Cexp(Ci*", "Cexp(2*Ci*"), ("(2)%C", "(1)%C")],
     ),
     "an imaginary number": (
         lambda: number(Relation(2 * I * pi, "!=", S.Zero)),

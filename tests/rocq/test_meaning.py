@@ -1,7 +1,7 @@
 """A text that says something else to Rocq than to our kernel is found out."""
 
 import pytest
-from sympy import Eq, I, Rational, S, cos, exp, log, pi, sqrt, symbols
+from sympy import Eq, I, Rational, S, cos, exp, im, log, pi, re, sqrt, symbols
 
 from symhaptic.notation import X, d, z
 from symhaptic.notation.proposition import ForAll, Implies, Predicate, Relation, proposition, whole
@@ -99,6 +99,12 @@ def test_a_term_is_read_as_rocq_computes_it(term, value):
 def test_what_is_no_relation_is_not_read(said):
     with pytest.raises(Misread):
         read(said)
+
+
+def test_a_real_number_has_no_imaginary_part():
+    names = Names()
+    with names.bound(x := symbols("x")):
+        assert real_text(exp(3 * im(x)) * cos(re(x)), names) == "cos(x)"
 
 
 def test_a_root_of_a_negative_number_is_imaginary_and_its_logarithm_is_refused():

@@ -15,7 +15,7 @@ from symhaptic.notation.proposition import proposition
 from symhaptic.proof.theorems.derivation import sources
 from symhaptic.rocq import assumptions, compiled, preludes, together
 from symhaptic.rocq.chapter import ALONE, PROVED, File, printed
-from symhaptic.rocq.outcome import unasked
+from symhaptic.rocq.outcome import Outcome, keep, unasked
 from symhaptic.rocq.record import differences, record
 from symhaptic.rocq.steps import Step, order
 
@@ -220,3 +220,18 @@ def test_what_is_stale_is_told_in_a_line_that_fits(count, more, capsys):
 
     stale([entry(i) for i in range(count)])
     assert f"checked of s0, s1, s2, s3, s4{more} is not what is said now" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("why", "known"),
+    [
+        ("coqc: Timeout!", False),
+        ("coqc: not within 60 s", False),
+        ("coqc: not reached within 600 s", False),
+        ("coqc: No applicable tactic.", True),
+    ],
+)
+def test_what_took_too_long_is_asked_again(tmp_path, why, known):
+    """A busy machine refuses nothing: Rocq is asked the next time."""
+    keep(Outcome("mine", open={"open_step_1": f"not checked: {why}"}), tmp_path)
+    assert (tmp_path / "mine.json").is_file() is known

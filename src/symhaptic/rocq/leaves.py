@@ -20,6 +20,7 @@ from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.complexes import complex_text
 from symhaptic.rocq.identities import Image, same, script
 from symhaptic.rocq.logic import Written
+from symhaptic.rocq.propositions import needed
 from symhaptic.rocq.steps import Proof, premises
 from symhaptic.rocq.terms import Names, complex_, real_text
 
@@ -156,9 +157,17 @@ def combined(proof: Proof, theorem: Theorem) -> None:
         )
     else:
         proof.say("opened; defined.")
-    proof.say(f"apply ({c}by_sum_{name} _ _ {sums}).")
     lines = script(terms, difference, names)
-    proof.say(f"- {lines[0]}", *(f"  {line}" for line in lines[1:]))
+    # of angles that are sums over several symbols only the sum shows that the left side is real
+    angles = (f for f in claim.left.atoms(sp.exp) if complex_(f))
+    by_sum = claim.sign in ("<", "<=") and any(len(f.free_symbols) > 2 for f in angles)
+    if by_sum:
+        low, high = (f"({complex_text(side, names)})%C" for side in (claim.left, claim.right))
+        proof.say(f"assert (Sum : ({high} - {low} = ({t}) + ({z}))%C).", "{", *lines, "}")
+        proof.say(f"apply (Cby_sum_{name} _ _ {sums}).", "- exact Sum.")
+    else:
+        proof.say(f"apply ({c}by_sum_{name} _ _ {sums}).")
+        proof.say(f"- {lines[0]}", *(f"  {line}" for line in lines[1:]))
     zeros = [
         f"replace ({_way(p.equation, names, write)}){scope} with {nought} by {zeroed}"
         for p in zero
@@ -170,7 +179,10 @@ def combined(proof: Proof, theorem: Theorem) -> None:
         proof.say("-", *(f"  {line}" for line in known), "  Capart.")
     elif claim.sign != "=":
         proof.say(f"- {c}apart." if claim.sign == "!=" else f"- {c}signed.")
-    if c and claim.sign in ("<", "<="):
+    if by_sum:
+        moved = f"({high} - (({t}) + ({z})))%C"
+        proof.say(f"- replace {low} with {moved} by (rewrite <- Sum; ring); Cimaginary.")
+    elif c and claim.sign in ("<", "<="):
         proof.say("- Cimaginary.")
 
 
@@ -254,6 +266,7 @@ def on_plants(proof: Proof, theorem: Theorem) -> None:
     old = real_text(claim.right, names)
     names.spelled |= meant
     new = real_text(term(certificate.expr), names)
+    proof.say(*["defined."] * bool(needed(*claim.terms)))
     if new != old:
         proof.say(f"apply (positive_as _ ({new})); [same_field |].")
     cuts = " ".join(textwrap.wrap(certificate.cuts, 60))

@@ -97,7 +97,7 @@ def marked(outcome: Outcome, chapter: Chapter, text: str) -> Outcome:
 
 def keep(outcome: Outcome, folder: Path) -> Outcome:
     """What was found, for the next time; what took too long may be quicker then."""
-    if not any("Timeout" in why or "not within" in why for why in outcome.open.values()):
+    if not any("Timeout" in why or " within " in why for why in outcome.open.values()):
         found = {"text": outcome.text, "outcome": asdict(outcome)}
         name = f"{outcome.chapter}_leaves" if outcome.leaves else outcome.chapter
         (folder / f"{name}.json").write_text(json.dumps(found, indent=1), encoding="utf-8")

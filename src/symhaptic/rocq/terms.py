@@ -108,11 +108,15 @@ def _complex(term: Expr) -> bool:
 def imaginary(term: Expr) -> Expr:
     """The same term, in which each root of a negative number is j times a real root.
 
-    Rocq's ``sqrt`` is 0 where its argument is negative.
+    Rocq's ``sqrt`` is 0 where its argument is negative.  A real term has no imaginary part.
 
-    >>> imaginary(1 + sp.sqrt(1 - sp.sqrt(2)))
+    >>> imaginary(1 + sp.sqrt(1 - sp.sqrt(2)) + sp.im(Symbol("omega")))
     1 + I*sqrt(-1 + sqrt(2))
     """
+    parts = {f for f in term.atoms(sp.re, sp.im) if not complex_(f.args[0])}
+    if parts:
+        real = {f: f.args[0] if isinstance(f, sp.re) else sp.S.Zero for f in parts}
+        return imaginary(term.xreplace(real))
     roots = {p: sp.I**p.exp.p * (-p.base) ** p.exp for p in term.atoms(sp.Pow) if _of_negative(p)}
     return imaginary(term.xreplace(roots)) if roots else term
 

@@ -125,6 +125,19 @@ class Lists:
                 lines.append(f"replace ({text})%C with ({there})%C by a_turn.")
         return lines
 
+    def quarters(self, side: Expr, place: Symbol) -> list[str]:
+        """The same of powers of j exp(place)."""
+        lines, names = [], self.proof.names
+        base = f"RtoC (exp ({real_text(place, names)})) * Ci"
+        for turn in sorted(side.atoms(sp.exp), key=str):
+            power = sp.expand(sp.cancel(turn.args[0] / (place + sp.I * sp.pi / 2)))
+            if complex_(turn) and natural(power):
+                text = complex_text(turn, names)
+                lines.append(f"replace ({text})%C with (({base}) ^ {self.number(power)})%C")
+                at = real_text(place, names)
+                lines.append(f"  by (rewrite <- (Cexp_quarter_turn ({at}) _ eq_refl); a_turn).")
+        return lines
+
 
 def known_exponentials(proof: Proof, *terms: Expr, symbols: bool = False) -> None:
     """Real exponentials, of numbers or of all, are told as powers of few, for ``summed``."""
@@ -285,6 +298,72 @@ def _contradicted(lists: Lists, side: Expr, angle: Expr) -> list[str]:
         *lists.turns(side, angle),
         "summed_powers.",
     ]
+
+
+@shows
+def none_enters(proof: Proof, theorem: Theorem) -> None:
+    """No zero of p(v^2) + g(v) crosses the border of what lies to the right outside the circle."""
+    begin, change, over, *shown = theorem.given
+    variable, share, place, x, y = over
+    p, g = powers(*_inside(begin)), powers(change, variable)
+    lead, *rest = ((2 * e, c) for e, c in p.terms)
+    proof.keep(begin)
+    wholes = {h: proof.new("W") for h in proof.step.hypotheses if getattr(h, "name", "") == "whole"}
+    proof.say(*(f"pose proof {proof.find(h)} as {copy}." for h, copy in wholes.items()))
+    lists = Lists(proof)  # takes what is whole apart
+    proof.scope |= wholes
+    first, then, names = lists.text(p), lists.text(g), proof.names
+    proof.say(
+        f"assert (E := none_enters (powers {first}) (powers {then}) {lists.number(lead[0])}).",
+        f"destruct (powers_monic {lists.number(lead[0])} {lists.text(Powers(tuple(rest)))} "
+        "ltac:(degrees)) as (a' & L' & F').",
+        "specialize (E ltac:(exists a'; split; [exact L' | intro; rewrite <- F'; "
+        f"{_SQUARED} summed])); clear a' L' F'.",
+        "specialize (E ltac:(apply powers_below; degrees) ltac:(apply powers_real) "
+        "ltac:(apply powers_real)).",
+        "specialize (E ltac:(with_inside "
+        "ltac:(fun p S => apply (stable_alike p); [as_powers | exact S]))).",
+    )
+    within = (share, "Y", sp.S.One), (place, "T", sp.pi / 2)
+    for premise, ends in zip(shown, (within, within[:1], within), strict=True):
+        scope, axis = dict(proof.scope), premise is shown[2]
+        with names.introduced(*(s for s, *_ in ends)) as named:
+            known = [f"[{letter}0 {letter}1]" for _, letter, _ in ends]
+            known[1:] = ["T0"] if axis else known[1:]
+            proof.say("match type of E with ?P -> _ => assert (A : P) end.", "{")
+            proof.say(f"intros {' '.join(named)} {' '.join(known)} Z.")
+            for symbol, letter, upper in ends:
+                proof.scope[Relation(sp.S.Zero, "<", symbol)] = f"{letter}0"
+                proof.scope[Relation(symbol, "<=", upper)] = f"{letter}1"
+            side = premise.conclusion.left
+            proof.say(f"pose proof {proof.have(premise)} as A; opened.")
+            if axis:
+                known_exponentials(proof, side, symbols=True)
+            proof.say(f"absurd (({complex_text(side, names)})%C = RtoC 0 :> C); [apart_by |].")
+            proof.say("rewrite <- Z; cbn [powers].")
+            proof.say(*(lists.quarters(side, place) if axis else lists.turns(side, place)))
+            last = _WITH_J if axis else "summed_powers"
+            proof.say(f"{_SQUARED} {last}.", "}", "specialize (E A); clear A.")
+        proof.scope = scope
+    with names.introduced(x, y) as [along, across]:
+        proof.say(
+            f"intros {along} {across} [X O]; assert (A : ({along} + Ci * {across})%C <> RtoC 0)",
+            "  by (let K := fresh in intro K; apply (f_equal Re) in K; simpl in K; lra).",
+            "repeat (split; [assumption |]).",
+            f"intro Z; apply (E {along} {across} X O); rewrite <- Z.",
+            f"generalize ({along} + Ci * {across})%C; intro; natural_powers; {_SQUARED} summed.",
+        )
+
+
+_SQUARED = (
+    "cbn [powers]; repeat rewrite Cpower_plus; cbn [Cpower]; repeat rewrite Cpower_product; "
+    "rewrite ?Cpower_one;"
+)
+"""Tactics that write powers of squares as powers."""
+_WITH_J = (
+    "exponentials; Cpushed; cbn [Cpower]; assert (Sq := Ci_square); undivided; "
+    "first [solve [field [Sq]; Cnz] | solve [ring [Sq]]]"
+)
 
 
 @shows
