@@ -220,8 +220,9 @@ class Scene(DeviceLoop):
         -------
         bool or array of bool
             A truth value for numbers, an array of the same library for arrays.  NaN is not stable.
-            True is always right; False is wrong for some stable walls within rounding of the
-            boundary.
+            For a device, an arm and a delay, True is always right, and False is wrong only for
+            some stable walls within rounding of the boundary.  With further parts of the loop
+            both may be wrong there.
 
         Raises
         ------
