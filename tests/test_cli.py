@@ -187,7 +187,7 @@ def test_a_chapter_of_ones_own(tmp_path):
     path = chapter(tmp_path, GOOD)
     run = symhaptic("verify", "my-own", "--derivation", path)
     assert run.returncode == 0, run.stderr
-    assert "verdict: proved" in run.stdout
+    assert "verdict: definition" in run.stdout  # all that it says is what x stands for
     assert r"by: x:=\sin 2\theta, defined in my.py" in run.stdout
 
 

@@ -11,7 +11,7 @@ from symhaptic.export.targets import TARGETS
 
 SOURCE = Path(symhaptic.__file__).parent
 ROOT = SOURCE.parents[1]
-OWN = {"symhaptic.sty", "symhaptic.xml"}
+OWN = {"symhaptic.bib", "symhaptic.sty", "symhaptic.xml"}
 """File names that look like modules."""
 
 

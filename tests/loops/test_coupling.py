@@ -113,7 +113,7 @@ def test_what_it_does_not_answer_it_refuses(tmp_path):
         scene.is_passive(1.0, 1.0)
     with pytest.raises(ValueError, match=r"^coupling: .* for a simulation"):
         scene.simulate(1.0, 1.0, duration=1.0)
-    with pytest.raises(ValueError, match="for this device; give kg m"):
+    with pytest.raises(ValueError, match="do not fit this device; give kg m"):
         Scene(inertia=1e-4, sampling_period=0.001, coupling=Coupling(stiffness="2 N/m"))
     assert "coupling of 2000 N/m and 1 Ns/m" in scene.describe()
     file = tmp_path / "mine.toml"

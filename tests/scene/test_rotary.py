@@ -124,7 +124,7 @@ def test_the_smallest_model_of_a_rotary_device():
 
 
 MIXED = [
-    (lambda: Scene(mass=1, inertia=1, sampling_period=1), "inertia: 1 beside mass=1 is not all"),
+    (lambda: Scene(mass=1, inertia=1, sampling_period=1), "inertia: 1 and mass=1 exclude"),
     (lambda: Scene(inertia="1 kg", sampling_period=1), "inertia: '1 kg' is not allowed; give a"),
     (lambda: Scene(mass="1 kg m^2", sampling_period=1), "mass: '1 kg m.2' is not allowed; give a"),
     (lambda: Scene(inertia=1, sampling_period=1, damping="1 Ns/m"), "damping: '1 Ns/m' is not al"),

@@ -432,8 +432,11 @@ class Number(sp.Integer):
         lambda: first_minors(assume(Predicate("stable", (z,), (z + x,))), Count(1)),
         lambda: identity(Unknown(x), Unknown(x)),
         lambda: identity(Number(5), S(5)),
+        lambda: identity(sp.Add(x, Number(5), evaluate=False), x + 5),
     ],
 )
 def test_a_class_of_ones_own_says_nothing_to_a_rule(made):
+    for known in (S(5), x + 5):  # what is equal was read before
+        identity(known, known)
     with pytest.raises((NotShown, NoTerm)):
         made()

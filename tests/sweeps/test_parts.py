@@ -53,5 +53,7 @@ def test_another_filter_does_not_resume_a_store(tmp_path):
 
 
 def test_what_such_a_scene_does_not_answer_is_refused():
-    with pytest.raises(ValueError, match="quantity: discretize of a scene with velocity is not"):
+    with pytest.raises(
+        ValueError, match="quantity: discretize is not available for a scene with velocity"
+    ):
         sweep("discretize", FILTERED)

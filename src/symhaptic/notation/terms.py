@@ -135,7 +135,8 @@ def _branch_by_decimals(base: Expr, exponent: Expr) -> bool:
 
 
 _MADE: dict[tuple[Head, tuple[Term, ...]], Term] = {}
-_READ: dict[Expr, Term] = {}
+_READ: dict[Expr, tuple[Expr, Term]] = {}
+"""What was read last of all expressions that are equal, and its tree."""
 
 _NODES = frozenset({sp.Add, sp.Mul, sp.Pow, *FUNCTIONS})
 _RATIONALS = frozenset({sp.Rational, sp.Integer, *map(type, (sp.S.Half, *map(sp.S, (-1, 0, 1))))})
@@ -144,11 +145,14 @@ _PLAIN = Symbol("x").assumptions0
 
 
 def tree(of: Expr) -> Term:
-    """Read an expression as a tree; raise :class:`NoTerm` for what is no term."""
+    """Read an expression as a tree; raise :class:`NoTerm` for what is no term.
+
+    An object that only says that it is equal to one that was read is read itself.
+    """
     found = _READ.get(of)
-    if found is None:
-        found = _READ[of] = _read(of)
-    return found
+    if found is None or found[0] is not of:
+        found = _READ[of] = of, _read(of)
+    return found[1]
 
 
 def _read(of: Expr) -> Term:
@@ -197,7 +201,7 @@ def term(of: Any) -> Expr:
 def symbols_in(expr: Expr) -> frozenset[Symbol]:
     """The free symbols of an expression."""
     found = _READ.get(expr)
-    return frozenset(expr.free_symbols) if found is None else found.free
+    return frozenset(expr.free_symbols) if found is None else found[1].free
 
 
 def without_value(number: Expr) -> bool:
