@@ -71,7 +71,7 @@ bench: .venv/ready
 	$(BIN)/pytest benchmarks --benchmark-only
 
 .venv/ready: pyproject.toml setup.py constraints.txt $(wildcard src/symhaptic/*/*.[ch] src/symhaptic/*/*.cpp)
-	$(PYTHON) -m venv .venv
+	test -x $(BIN)/python || $(PYTHON) -m venv .venv  # another Python over it would mix both
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[test]'
 	touch $@
 
