@@ -102,6 +102,25 @@ def test_a_limit_is_a_supremum_and_margins_are_found():
     assert scene.damping_for(K).delay_margin >= margin
 
 
+@pytest.mark.parametrize("virtual_mass", [0.0, 0.05])
+def test_behind_a_coupling_that_is_stable_with_a_rigid_wall_there_is_no_limit(virtual_mass):
+    """A rigid wall makes the coupling itself the wall: K < 2 B/T and below the device's limit."""
+    own = {"mass": 0.1, "damping": 0.5, "sampling_period": 0.001}
+    soft = Coupling(stiffness=2000.0, damping=5.0)
+    scene = Scene(**own, coupling=soft, virtual_mass=virtual_mass)
+    assert Scene(**own).is_stable(2000.0, 5.0)
+    assert scene.is_stable(1e12, 1e8)
+    assert "any stiffness, because" in scene.describe()
+    for ask in (
+        scene.max_stable_stiffness,
+        scene.stable_region,
+        lambda: scene.limit_at(5.0),
+        lambda: scene.damping_for(100.0),
+    ):
+        with pytest.raises(ValueError, match=r"^coupling: .* so the stiffness has no limit"):
+            ask()
+
+
 def test_what_it_does_not_answer_it_refuses(tmp_path):
     coupling = Coupling(stiffness="2 N/mm", damping=1.0)
     own = {"mass": 0.1, "damping": 0.5, "sampling_period": 0.001, "coupling": coupling}

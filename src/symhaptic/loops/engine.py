@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Protocol
 
@@ -108,8 +108,21 @@ class Engine:
 
     @cached_property
     def trace(self) -> Trace:
-        """The boundary of the stable walls."""
+        """The boundary of the stable walls, whose stiffness has a limit."""
+        if self.unlimited:
+            raise ValueError(f"coupling: {self.unlimited}; ask is_stable or delay_margin")
         return Trace(self.loop)
+
+    @cached_property
+    def unlimited(self) -> str:
+        """Why no stiffness is too large, or nothing: with a rigid wall the coupling is the wall."""
+        if self.coupling is None:
+            return ""
+        rigid = replace(self, coupling=None, virtual_mass=0.0).loop
+        K, B = map(np.asarray, self.coupling.without_units(self.mass, self.period))
+        if not count.is_stable(rigid, K, B):
+            return ""
+        return "it is stable with a rigid wall, so the stiffness has no limit"
 
     @property
     def no_passivity(self) -> str:

@@ -56,9 +56,12 @@ def facts(scene: DeviceLoop) -> dict[str, str]:
     if scene.arm is not None:
         found["arm"] = str(scene.arm)
     found |= _parts(scene)
-    most, free = max_stable_stiffness(scene), limit_at(scene, 0.0)
-    found["stable up to"] = _limit(scene, most.K, most.frequency_hz, most.B)
-    found["without B"] = _limit(scene, free.K, free.frequency_hz)
+    if scene.further and scene.engine.unlimited:
+        found["stable up to"] = "any stiffness, because the coupling is stable with a rigid wall"
+    else:
+        most, free = max_stable_stiffness(scene), limit_at(scene, 0.0)
+        found["stable up to"] = _limit(scene, most.K, most.frequency_hz, most.B)
+        found["without B"] = _limit(scene, free.K, free.frequency_hz)
     if why := why_not_passive(scene):
         found["passive up to"] = f"not told ({why})"
     elif scene.damping:
