@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize.elementwise import find_root
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -154,38 +155,19 @@ def _between(each: Array, slope: Array, ends: Array) -> Array:
 
 
 def zeros(function: Callable[[Array], Array], low: Array, high: Array) -> Array:
-    """Where functions of one place each change their signs between two, by Chandrupatla's rule.
-
-    It takes the inverse parabola through the last three places where this is safe, or else halves.
-    """
+    """Where functions of one place each change their signs between two, by Chandrupatla's rule."""
     if not low.size:
         return low
-    one, two = high, low
-    at_one, at_two = function(one), function(two)
-    part = np.full(one.shape, 0.5)
-    for _ in range(_TRIES):
-        new = one + part * (two - one)
-        at = function(new)
-        same = (at > 0) == (at_one > 0)
-        old, at_old = np.where(same, one, two), np.where(same, at_one, at_two)
-        two, at_two = np.where(same, two, one), np.where(same, at_two, at_one)
-        one, at_one = new, at
-        with np.errstate(all="ignore"):
-            least = np.fmin(2e-16 * np.abs(one) / np.abs(two - one), 0.5)
-            if ((least == 0.5) | (at == 0)).all():
-                break
-            x, f = (one - two) / (old - two), (at_one - at_two) / (at_old - at_two)
-            safe = (f * f < x) & ((1 - f) ** 2 < 1 - x)
-            step = at_one / (at_two - at_one) * at_old / (at_two - at_old)
-            step += (
-                (old - one) / (two - one) * at_one / (at_old - at_one) * at_two / (at_old - at_two)
-            )
-        part = np.where(at == 0, 0.0, np.clip(np.where(safe, step, 0.5), least, 1 - least))
-    return np.where(np.abs(at_one) <= np.abs(at_two), one, two)
+    at = low.copy()
 
+    def some(place: Array, which: NDArray[np.intp]) -> Array:
+        at.flat[which] = place
+        return np.asarray(function(at).flat[which])
 
-_TRIES = 60
-"""As many as halving takes."""
+    which = np.arange(low.size).reshape(low.shape)
+    with np.errstate(invalid="ignore"):
+        found = find_root(some, (low, high), args=(which,))
+    return np.where(found.success, found.x, high)  # places that only fill an array stay
 
 
 def _middle(low: Array, high: Array) -> Array:

@@ -98,7 +98,7 @@ def _words(name: str, value: str | Sequence[str]) -> tuple[str, ...]:
 def _of_scene(scene: Scene, work: Work, given: Mapping[str, Any]) -> dict[str, Any]:
     """The given arguments, and the scene's own for the others; masses are those of the device."""
     if "delay" in given and "delay_samples" in given:
-        raise ValueError("delay_samples: excludes delay=; give one of them")
+        raise ValueError("delay_samples: delay= says the same; give one of them")
     found: dict[str, Any] = dict(given)
     for name in work.arguments:
         if name == "delay":

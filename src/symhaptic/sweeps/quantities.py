@@ -386,7 +386,7 @@ def _own(quantity: Any, words: Mapping[str, Any], in_si: bool) -> Work:
         raise ValueError(f"quantity: {shown(quantity)} is not allowed; {allowed}")
     if in_si:
         raise ValueError(
-            f"scene: your function {shown(quantity)} takes none; give one of "
+            f"scene: your function {shown(quantity)} takes no scene; give one of "
             f"{', '.join(QUANTITIES)}"
         )
     names = [n for n in inspect.signature(quantity).parameters if n not in words]
