@@ -1,6 +1,9 @@
 """Long formulas are broken within the line, and lose nothing on the way."""
 
 import pytest
+from matplotlib import rc_context
+from matplotlib.font_manager import FontProperties
+from matplotlib.mathtext import MathTextParser
 from sympy import Symbol, cos, sin, symbols
 
 from symhaptic.book.report.breaking import broken, pieces, width
@@ -39,9 +42,24 @@ def test_the_print_is_split_at_its_marks():
     assert r"\begin{gathered}a \\ + b\end{gathered}" in stacked
 
 
-def test_sines_are_wider_than_letters():
-    assert width(r"\sin x") > width("x")
-    assert width(r"\frac{aaaa}{b}") < width("aaaab") + 1
+@pytest.mark.parametrize(
+    "tex",
+    [
+        r"\dfrac{a}{b}",
+        r"\dfrac{aaaa + b}{b} - \dfrac{a}{bbbb}",
+        r"\cos(d\theta) - 2\cos((d+1)\theta)",
+        r"\sqrt{x + y}",
+        r"x_{1}+x_{2}+x_{3}",
+        r"\left(m + M\right)\omega^{2}",
+        r"a \leq b",
+        "N,N,N",
+    ],
+)
+def test_widths_are_those_of_computer_modern(tex):
+    """Matplotlib sets the same formulas with the metrics of the same fonts, here in 10 points."""
+    with rc_context({"mathtext.fontset": "cm"}):
+        points = MathTextParser("path").parse(f"${tex}$", 72, FontProperties(size=10))[0]
+    assert width(tex) == pytest.approx(points / 10, rel=0.12, abs=0.25)
 
 
 def test_a_fraction_with_a_wide_divisor_stacks_its_numerator():
