@@ -1,4 +1,4 @@
-"""The errata list whatever the ledger calls wrong or conditional, and nothing else."""
+"""The pages of results, errata and verdicts list what the ledger holds, and nothing else."""
 
 import re
 from dataclasses import replace
@@ -10,18 +10,27 @@ from docutils import nodes
 from symhaptic.book.chapters import shipped
 from symhaptic.book.consequences import CONSEQUENCES, IMPORTANCE
 from symhaptic.book.ledger import ledger, of_chapter
+from symhaptic.book.report import pages
 from symhaptic.book.report.pages import OTHERS, by_importance, errata
 from symhaptic.book.sources import PAPER
+from symhaptic.paper import STATEMENTS
 from symhaptic.proof.verdict import Kind
 
-pytestmark = pytest.mark.ci
+FEW = {"s3a_undelayed", "s4d_parts_of_the_arm", "s8c_four_masses"}
+"""Right under a condition, refuted, and refuted in another source."""
+whole = pytest.mark.parametrize(
+    "entries", [pytest.param(None, marks=pytest.mark.ci)], indirect=True, scope="module"
+)
 
 WRONG = {Kind.QUALIFIED, Kind.MISPRINT, Kind.REFUTED, Kind.SLIP}
 
 
-@pytest.fixture(scope="module")
-def entries():
-    return ledger(e for path in shipped() for e in of_chapter(chapter(path.stem)))
+@pytest.fixture(
+    scope="module", params=[FEW, pytest.param(None, marks=pytest.mark.ci)], ids=["few", "all"]
+)
+def entries(request):
+    asked = (path.stem for path in shipped() if path.stem in (request.param or {path.stem}))
+    return ledger(entry for name in asked for entry in of_chapter(chapter(name)))
 
 
 @pytest.fixture(scope="module")
@@ -59,6 +68,24 @@ def test_each_has_what_a_reader_needs(entries, chapters):
         assert not statement.latex or list(statement.latex) in shown
 
 
+def test_the_table_of_verdicts_leads_to_what_is_settled(entries, chapters):
+    rows = list(pages.ledger(entries, chapters).findall(nodes.row))[1:]
+    assert len(rows) == len(entries)
+    for entry, row in zip(entries, rows, strict=True):
+        number = chapters[entry.derivation][0] if entry.derivation else ""
+        assert [cell.astext() for cell in row.children][-1] == str(number)
+        links = {one["to"] for one in row.findall() if isinstance(one, nodes.Element) and "to" in one}
+        assert links == ({"statement", "chapter"} if entry.derivation else set())
+
+
+def test_the_formulas_to_use_are_there(entries, chapters):
+    """(6) of the paper, b > KT/2 + |B|, which holds for 0 < omega < pi/T."""
+    found = pages.results(entries, chapters).findall(nodes.container)
+    (item,) = (one for one in found if one.get("to") == "use" and one["at"] == "eq6")
+    (formula,) = item.findall(nodes.math_block)
+    assert formula["rows"] == list(STATEMENTS["eq6"].latex)
+
+
 def test_a_claim_is_for_the_site_and_its_place_for_print(entries, chapters):
     page = errata(entries, chapters)
     claims = [one for one in page.findall(nodes.container) if "claim" in one["classes"]]
@@ -66,6 +93,7 @@ def test_a_claim_is_for_the_site_and_its_place_for_print(entries, chapters):
     assert {one.get("only") for one in claims} == {"site"}
 
 
+@whole
 def test_the_gravest_stand_first_and_nothing_is_left_over(entries):
     titles = [title for title, _ in by_importance(entries)]
     assert titles == [title for title, _ in IMPORTANCE]
@@ -95,6 +123,7 @@ def test_what_turns_out_wrong_appears_and_what_is_right_disappears(entries, chap
     assert listed(right, chapters) == []
 
 
+@whole
 def test_a_consequence_for_each_error_of_the_paper_and_for_no_other(entries):
     wrong = {e.statement.id for e in entries if e.verdict.kind in WRONG and not e.own}
     assert wrong == set(CONSEQUENCES)

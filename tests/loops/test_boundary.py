@@ -95,6 +95,10 @@ def test_the_boundary_to_12_digits_of_its_scale(name, parts):
         engine = Engine(gamma, delta, delay, 1.0, 1.0, FILTERED[name], WITH[parts][0])
         theta = 10 ** rng.uniform(-3, np.log10(3.1), 3)
         K, B = engine.stability_boundary(theta)
+        if parts == "plain":  # as users ask, in Hz
+            loop = {"sampling_period": 1.0, "delay": delay, "velocity": FILTERED[name]}
+            scene = Scene(mass=1.0, damping=delta, stiffness=gamma, **loop)
+            K, B = scene.stability_boundary(theta / (2 * np.pi))
         for at, k, c in zip(theta, K, B, strict=True):
             true_K, true_B = exact(gamma, delta, delay, WITH[parts][1], name, at)
             # the determinant of two masses has four rows: its last digits count at small angles
