@@ -74,7 +74,9 @@ def test_the_table_of_verdicts_leads_to_what_is_settled(entries, chapters):
     for entry, row in zip(entries, rows, strict=True):
         number = chapters[entry.derivation][0] if entry.derivation else ""
         assert [cell.astext() for cell in row.children][-1] == str(number)
-        links = {one["to"] for one in row.findall() if isinstance(one, nodes.Element) and "to" in one}
+        links = {
+            one["to"] for one in row.findall() if isinstance(one, nodes.Element) and "to" in one
+        }
         assert links == ({"statement", "chapter"} if entry.derivation else set())
 
 
