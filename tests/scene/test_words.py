@@ -112,6 +112,8 @@ def test_a_picture_has_units_and_a_legend_beside_the_curves(axes, wall):
     (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
     edge, *marks = axes.lines
     assert np.nanmin(edge.get_xdata()) < 0 < np.nanmax(edge.get_xdata()) < 1.5 * right
+    crosses = [m for m in marks if m.get_marker() == "x"]
+    assert [(*m.get_xdata(), *m.get_ydata()) for m in crosses] == ([wall] if wall else [])
     for mark in (m for m in marks if m.get_marker() != "None"):
         assert left < mark.get_xdata()[0] < right
         assert bottom < mark.get_ydata()[0] < top

@@ -58,9 +58,20 @@ def test_charts_have_units_and_room(chart, scene, tmp_path):
         assert not legend.get_window_extent(renderer).overlaps(axes.get_window_extent(renderer))
 
 
-def test_a_range_of_ones_own():
-    figure = charts.robust_limits(SCENE, stiffness=(0.0, 2000.0), damping=(1.0, 3.0), points=20)
-    assert figure.axes[0].get_title(loc="left") == "$k$ = 0 to 2000 N/m, $b$ = 1 to 3 Ns/m"
+@pytest.mark.parametrize(("low", "springs", "arms"), [(0, "0 to 2000", 49), (2000, "2000", 7)])
+def test_a_range_of_ones_own(low, springs, arms):
+    """Seven arms along each side, one where both ends are the same."""
+    figure = charts.robust_limits(SCENE, stiffness=(low, 2000.0), damping=(1.0, 3.0), points=20)
+    (axes,) = figure.axes
+    assert axes.get_title(loc="left") == f"$k$ = {springs} N/m, $b$ = 1 to 3 Ns/m"
+    assert f"stable for all of {arms} arms" in [t.get_text() for t in axes.get_legend().get_texts()]
+
+
+def test_a_device_without_damping_is_drawn_behind_one_period():
+    """Roots of 2 z^2 (z - 1)^2 + (z + 1)(alpha z + beta (z - 1)) by NumPy: alpha < 0.144469."""
+    (axes,) = charts.robust_limits(stiffness=(0, 0), damping=(0, 0), points=20).axes
+    left, right = axes.get_xlim()
+    assert left < 0 < 0.144469 < right < 1.2 * 0.144469
 
 
 def test_the_axes_without_stiffness_and_without_damping_are_drawn():
@@ -136,5 +147,7 @@ def test_colours_reach_from_the_least_to_the_largest_and_stay_beyond():
     low, high = figure.axes[1].get_ylim()
     assert low <= 1
     assert high >= 40
+    digits = {f"{tick:e}"[0] for tick in figure.axes[1].get_yticks()}
+    assert digits == {"1", "2", "5"}  # the series of coins and weights
     last = axes.collections[0].get_paths()[-1]
     assert last.contains_point((0.999, 0.999))
