@@ -6,7 +6,7 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.mathtext import MathTextParser
 from sympy import Symbol, cos, sin, symbols
 
-from symhaptic.book.report.breaking import broken, pieces, width
+from symhaptic.book.report.breaking import broken, narrow, pieces, width
 from symhaptic.notation import B, K, T, d, theta
 from symhaptic.notation.latex import latex
 
@@ -66,3 +66,13 @@ def test_a_fraction_with_a_wide_divisor_stacks_its_numerator():
     wide = LONG / (3 + sin(d * theta) - sin((d + 1) * theta) + sin((d + 2) * theta))
     (piece,) = pieces(wide, 22)
     assert "gathered" in piece
+
+
+def test_a_narrow_screen_parts_no_group_and_loses_nothing():
+    above, below, more = ("+".join(3 * one for one in part) for part in ("abcdefgh", "ijk", "lmn"))
+    tex = rf"\frac{{{above}}}{{{below}}}+{more},{above}"
+    (word,) = narrow(tex)
+    assert [piece.startswith("{}+") for piece in word].count(True) >= 1
+    assert narrow(25 * "a" + "," + 25 * "b") == [[25 * "a" + ",", 25 * "b"]]
+    assert all(piece.count("{") == piece.count("}") for piece in word)
+    assert "".join(piece.removeprefix("{}") for piece in word) == tex

@@ -11,6 +11,7 @@ from symhaptic.book.chapters import shipped
 from symhaptic.book.consequences import CONSEQUENCES, IMPORTANCE
 from symhaptic.book.ledger import ledger, of_chapter
 from symhaptic.book.report import pages
+from symhaptic.book.report.chapter import Place, page
 from symhaptic.book.report.pages import OTHERS, by_importance, errata
 from symhaptic.book.sources import PAPER
 from symhaptic.paper import STATEMENTS
@@ -86,6 +87,29 @@ def test_the_formulas_to_use_are_there(entries, chapters):
     (item,) = (one for one in found if one.get("to") == "use" and one["at"] == "eq6")
     (formula,) = item.findall(nodes.math_block)
     assert formula["rows"] == list(STATEMENTS["eq6"].latex)
+
+
+def test_what_a_chapter_finds_stands_at_its_head():
+    """Its theorem in a box, else its statements; a definition is no finding."""
+    heads = {}
+    for name in ("s2b_wall", "s4d_parts_of_the_arm", "s8c_four_masses"):
+        found = page(chapter(name), Place(1, {}))
+        titles = [one.astext() for one in found.findall(nodes.rubric)]
+        answers = [one.astext() for one in of_class(found, "answer")]
+        heads[name] = [title for title in titles if title.startswith("Theorem")], answers
+        marked = any("— paper (1)" in one.astext() for one in of_class(found, "verdict"))
+        assert marked == (name == "s2b_wall")  # H(z) is (1) of the paper
+    assert heads["s2b_wall"] == ([], [])
+    _, (answer,) = heads["s4d_parts_of_the_arm"]
+    assert answer.startswith("In short.")
+    assert answer.count("s4d-all-stabilising") == 1
+    ((theorem,), none) = heads["s8c_four_masses"]
+    assert "no stiffness is stable" in theorem
+    assert not none
+
+
+def of_class(tree, name):
+    return [one for one in tree.findall(nodes.container) if name in one["classes"]]
 
 
 def test_a_claim_is_for_the_site_and_its_place_for_print(entries, chapters):
