@@ -196,7 +196,8 @@ def _floats(rows: list[Row]) -> Table:
     says = (
         "Errors in units in the last place (ulp) of the largest term of the stable form, in double "
         "precision. The first columns are for ordinary parameters, inside (23), the others for "
-        "hard ones. Above $10^{16}$ no digit is correct. NaN is the share of points without a number, in per cent."
+        "hard ones. Above $10^{16}$ no digit is correct. NaN is the share of points without a "
+        "number, in per cent."
     )
     return Table("Functions in double precision", head, _grouped(found), 2, says)
 
