@@ -1,7 +1,7 @@
-"""What is believed without a proof: closed propositions, each with its source.
+"""Closed propositions that are accepted without a proof, each with its source.
 
-First school mathematics, then what the named predicates mean of a held force and of a sampled
-device.  Symbols are real, but for z, s, X and c, which are complex.
+Elementary mathematics comes first, then what the named predicates mean for a held force and for a
+sampled device.  Symbols are real, but for z, s, X and c, which are complex.
 """
 
 from __future__ import annotations
@@ -114,7 +114,7 @@ _believed("full turns", _R + "8.7", [x, p], [whole(p)], *_same)
 _between = And((whole(p), _le(p * y, x), _lt(x, (p + 1) * y)))
 _believed("rest", _R + "1.20", [x, y], [_le(0, x), _lt(0, y)], Exists((p,), _between))
 
-# -- what the predicates mean of walls and devices -------------------------------------
+# -- what the predicates mean for walls and devices ------------------------------------
 
 K, B, T, b, d, m, k, t_d = n.K, n.B, n.T, n.b, n.d, n.m, n.k, n.t_d
 ell, epsilon = n.l, n.epsilon
