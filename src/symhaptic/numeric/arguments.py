@@ -157,12 +157,10 @@ def unitless(name: str, values: Array, found: Array) -> Array:
     return found
 
 
-def one_of(name: str, value: str, allowed: tuple[str, ...]) -> str:
-    """The argument, which must be one of a few words."""
-    if not isinstance(value, str) or value not in allowed:
-        words = " or ".join(map(repr, allowed))
-        raise ValueError(f"{name}: {shown(value)} is not allowed; give {words}")
-    return value
+def check_sheet(sheet: str) -> None:
+    """Refuse what names no meaning of a fractional delay."""
+    if not isinstance(sheet, str) or sheet not in ("exact", "principal"):
+        raise ValueError(f"sheet: {shown(sheet)} is not allowed; give 'exact' or 'principal'")
 
 
 def together(*arrays: Any) -> tuple[int, ...]:

@@ -13,7 +13,7 @@ from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.containers import numbers_only
 from symhaptic.numeric.extremum import Extremum
-from symhaptic.numeric.stability import SHEETS, is_stable
+from symhaptic.numeric.stability import is_stable
 from symhaptic.numeric.tracing.arcs import Loop, flips
 from symhaptic.numeric.tracing.corners import joined
 from symhaptic.numeric.tracing.shape import Shape
@@ -174,7 +174,7 @@ def stable_region(
     >>> [round(float(x), 6) for x in region.max_stiffness]  # alpha = 4 (2 - r)(r - 1)/r, r = sqrt 2
     [0.686292, 0.828427, 1.143718]
     """
-    arguments.one_of("sheet", sheet, SHEETS)
+    arguments.check_sheet(sheet)
     numbers = {}
     for name, value in (("gamma", gamma), ("delta", delta), ("delay", delay)):
         array = (arguments.periods if name == "delay" else arguments.nonnegative)(name, value)
