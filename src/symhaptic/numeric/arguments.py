@@ -77,18 +77,18 @@ def finite(name: str, values: ArrayLike) -> Array:
     return array
 
 
-def nonnegative(name: str, values: ArrayLike | Fraction) -> Array:
-    """The argument as an array of finite numbers >= 0 or NaN."""
+def checked(name: str, values: ArrayLike | Fraction) -> Array:
+    """The argument as an array of NaN and of what the argument of this name may be."""
     array = real(name, values)
-    _nonnegative(name, array, np)
+    check(name, array, np)
     return array
 
 
-def periods(name: str, values: ArrayLike | Fraction) -> Array:
-    """The argument as an array of delays >= 0 or NaN."""
-    array = real(name, values)
-    _periods(name, array, np)
-    return array
+def of_loop(name: str, values: ArrayLike) -> float:
+    """One number >= 0: gamma, delta or the delay of a loop."""
+    array = checked(name, values)
+    refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0")
+    return single(name, array)
 
 
 def check(name: str, array: Any, xp: Any) -> None:

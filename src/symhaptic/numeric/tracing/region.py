@@ -175,11 +175,8 @@ def stable_region(
     [0.686292, 0.828427, 1.143718]
     """
     arguments.check_sheet(sheet)
-    numbers = {}
-    for name, value in (("gamma", gamma), ("delta", delta), ("delay", delay)):
-        array = (arguments.periods if name == "delay" else arguments.nonnegative)(name, value)
-        arguments.refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0")
-        numbers[name] = arguments.single(name, array)
+    given = {"gamma": gamma, "delta": delta, "delay": delay}
+    numbers = {name: arguments.of_loop(name, value) for name, value in given.items()}
     tolerance = arguments.one("tolerance", tolerance)
     if not 1e-12 <= tolerance < 1:
         raise ValueError(f"tolerance: {tolerance!r} is not allowed; give 1e-12 <= tolerance < 1")

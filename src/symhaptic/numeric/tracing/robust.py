@@ -96,12 +96,7 @@ def robust_region(
     (True, 1)
     """
     arguments.check_sheet(sheet)
-    numbers = {}
-    for name, value in (("delta", delta), ("delay", delay)):
-        array = (arguments.periods if name == "delay" else arguments.nonnegative)(name, value)
-        arguments.refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0")
-        numbers[name] = arguments.single(name, array)
-    delta, delay = numbers["delta"], numbers["delay"]
+    delta, delay = arguments.of_loop("delta", delta), arguments.of_loop("delay", delay)
     if delay > _LONGEST:
         raise ValueError(
             f"delay: {delay!r} is not allowed; give at most {_LONGEST} periods: each further "
