@@ -129,13 +129,6 @@ def test_the_gravest_stand_first_and_nothing_is_left_over(entries):
     assert Kind.SLIP not in {e.verdict.kind for e in others}
 
 
-def test_an_error_of_which_no_consequence_is_known_is_listed_still(entries):
-    first = next(i for i, e in enumerate(entries) if e.verdict.kind is Kind.PROVED)
-    more = list(entries)
-    more[first] = said(more[first], Kind.REFUTED)
-    assert by_importance(more)[-1] == (OTHERS, [more[first]])
-
-
 def said(entry, kind):
     return replace(entry, verdict=replace(entry.verdict, kind=kind))
 
@@ -145,6 +138,7 @@ def test_what_turns_out_wrong_appears_and_what_is_right_disappears(entries, chap
     more = list(entries)
     more[first] = said(more[first], Kind.REFUTED)
     assert len(listed(more, chapters)) == len(listed(entries, chapters)) + 1
+    assert by_importance(more)[-1] == (OTHERS, [more[first]])  # no consequence is known
     right = [said(e, Kind.PROVED) for e in entries]
     assert listed(right, chapters) == []
 
