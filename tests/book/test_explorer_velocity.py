@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from book.test_explorer import CHROMIUM, go, page, rest, site, told  # noqa: F401
 from loops.oracle import device, difference_equation, low_pass, matrix, sizes
+from scipy.signal import lfilter
 
 from symhaptic import LowPass, Scene
 from symhaptic.book.report import explorer
@@ -194,3 +195,53 @@ def test_the_page_tells_what_the_scene_tells(page, tmp_path, name):  # noqa: F81
     place.write_text(page.inner_text("#code"), encoding="utf-8")
     assert tomllib.loads(place.read_text())["velocity"]["cutoff"] == 50
     assert read(place).scene == scene
+
+
+@in_browser
+def test_passivity_is_not_told_between_two_periods(page):  # noqa: F811
+    """With a filter (4) is of integer delays; the code then does not ask for it either."""
+    go(page, PADDLE.replace("t_d=0.001", "t_d=0.0013").format(50, "low-pass"))
+    assert page.inner_text("#told-passive") == "passivity not told"
+    assert page.inner_text("#told-needed") == "not told"
+    assert "is_passive" not in page.inner_text("#code")
+    page.select_option("#velocity", "difference")
+    rest(page)
+    assert page.inner_text("#told-passive") == "passive"
+    assert not page.is_visible("#field-f_c")
+    assert "velocity" not in page.inner_text("#code")
+
+
+def test_the_chart_ends_where_walls_become_unstable(tmp_path):
+    """Drawn between samples, to a hundredth."""
+    loops = [
+        {"name": name, "tau": tau, "gamma": 0.0, "delta": 0.01, "d": d, "alpha": 0, "beta": 0}
+        for name, tau, d in (("low-pass", 6, 2), ("tustin", 3, 1.5), ("second-order", 6, 2))
+    ]
+    charts = asked("explorer.chart(n, explorer.curve(n))", loops, tmp_path)
+    for loop, chart in zip(loops, charts, strict=True):
+        assert chart[0][1] == 0
+        assert len(chart) > 40
+        for alpha, beta in chart[1:-8:8]:
+            assert radius(loop, 0.99 * alpha, beta) < 1 < radius(loop, 1.01 * alpha, beta)
+
+
+def test_the_wall_in_c_is_the_filter(tmp_path):
+    """The code of the page, compiled, beside SciPy's difference equation."""
+    if shutil.which("cc") is None:
+        pytest.skip("no cc here: the wall in C is not tried")
+    home = explorer.HOME / "static" / explorer.NAME
+    write = (home / "copies.js").read_text(encoding="utf-8")
+    x = np.random.default_rng(3).normal(size=40)
+    loops = [{"name": name, "tau": 5.0, "gamma": 0, "delta": 0, "d": 0} for name in FILTERS]
+    state = '{ T: "0.001", K: "500", B: "2" }'
+    question = f"eval({json.dumps(write)}) ?? explorer.copies.C({state}, n)"
+    for loop, code in zip(loops, asked(question, loops, tmp_path), strict=True):
+        values = ", ".join(map(repr, x.tolist()))
+        main = f"double x[] = {{{values}}}; for (int i = 0; i < 40; ++i)"
+        main = f'int main(void) {{ {main} printf("%.17g\\n", wall(x[i])); }}'
+        (tmp_path / "w.c").write_text(f"#include <stdio.h>\n{code}\n{main}", encoding="utf-8")
+        subprocess.run(["cc", "-o", "w", "w.c"], cwd=tmp_path, check=True)
+        done = subprocess.run(["./w"], cwd=tmp_path, capture_output=True, text=True, check=True)
+        speed = lfilter(*low_pass(5.0, *FILTERS[loop["name"]]), np.diff(x, prepend=0.0)) / 1e-3
+        found = [float(line) for line in done.stdout.split()]
+        np.testing.assert_allclose(found, -(500 * x + 2 * speed), rtol=1e-9, atol=1e-9)
