@@ -117,16 +117,11 @@
       (i ? refined(n, points[i - 1], points[i], beta) : [x, theta]));
     marks.sort((one, two) => one[0] - two[0]);
     for (let i = marks.length - 1; i > 0; --i) {
-      let low = (marks[i][0] + marks[i - 1][0]) / 2;
+      const low = (marks[i][0] + marks[i - 1][0]) / 2;
       if (!stable(n, low, beta)) continue;
-      let high = marks[i][0] - 1e-9 * (marks[i][0] - low);
+      const high = marks[i][0] - 1e-9 * (marks[i][0] - low);
       if (!n.filter || stable(n, high, beta)) return marks[i];
-      for (let turn = 0; turn < 50; ++turn) { // a crossing between two samples was missed
-        const middle = (low + high) / 2;
-        if (stable(n, middle, beta)) low = middle;
-        else high = middle;
-      }
-      return [low, NaN];
+      return [explorer.halved((alpha) => stable(n, alpha, beta), low, high), NaN]; // a crossing was missed
     }
     return [NaN, NaN];
   };

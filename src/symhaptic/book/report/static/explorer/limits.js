@@ -2,22 +2,12 @@
 // arm, passivity the damping n.own of the device alone.
 "use strict";
 (() => {
-  const { largest } = explorer;
+  const { largest, halved } = explorer;
   const LONGEST = 200; // periods up to which the largest delay is looked for
   const ROWS = 96; // dampings of a chart
   const BEYOND = 2.25; // times the damping of the stiffest wall, where a chart ends
   // parts of a period; if gamma is large, instability may begin and end within an eighth
   const steps = (gamma) => (gamma > 1 ? 32 : 8);
-
-  // the largest x between two, where the first is inside and the second is not
-  function halved(inside, low, high) {
-    for (let i = 0; i < 64; ++i) {
-      const middle = (low + high) / 2;
-      if (inside(middle)) low = middle;
-      else high = middle;
-    }
-    return low;
-  }
 
   // the largest delay, in periods, such that the loop is stable for every smaller one
   function maxDelay(n) {

@@ -5,15 +5,15 @@
   const { quotient, sum, difference } = explorer;
 
   explorer.quantities = {
-    m: { symbol: "m_D", label: "Mass", note: "device", unit: "kg", least: 0.01, most: 100, start: "0.1", above: 0 },
+    m: { symbol: "m_D", label: "Mass", note: "device", unit: "kg", least: 0.01, most: 100, start: "0.1" },
     b: { symbol: "b_D", label: "Damping", note: "device", unit: "Ns/m", least: 0.01, most: 200, start: "0.5", zero: true },
     k: { symbol: "k_D", label: "Stiffness", note: "device", unit: "N/m", least: 0.1, most: 5000, start: "0", zero: true },
     m_H: { label: "Mass", note: "arm", unit: "kg", least: 0.01, most: 100, start: "0", zero: true },
     b_H: { label: "Damping", note: "arm", unit: "Ns/m", least: 0.01, most: 200, start: "0", zero: true },
     k_H: { label: "Stiffness", note: "arm", unit: "N/m", least: 0.1, most: 5000, start: "0", zero: true },
-    T: { label: "Sampling period", unit: "s", least: 1e-5, most: 0.02, start: "0.001", above: 0 },
+    T: { label: "Sampling period", unit: "s", least: 1e-5, most: 0.02, start: "0.001" },
     t_d: { label: "Delay", note: "added to the hold", unit: "s", least: 1e-5, most: 0.1, start: "0.0015", zero: true },
-    f_c: { label: "Cut-off frequency", note: "velocity filter", unit: "Hz", least: 1, most: 10000, start: "50", above: 0, with: (state) => explorer.filtered(state), also: (state) => `time constant ${explorer.number(1e3 / (2 * Math.PI * state.f_c))} ms` },
+    f_c: { label: "Cut-off frequency", note: "velocity filter", unit: "Hz", least: 1, most: 10000, start: "50", with: (state) => explorer.filtered(state), also: (state) => `time constant ${explorer.number(1e3 / (2 * Math.PI * state.f_c))} ms` },
     K: { label: "Stiffness", note: "virtual wall", unit: "N/m", least: 1, most: 1e6, start: "1000", zero: true, signed: true },
     B: { label: "Damping", note: "virtual wall", unit: "Ns/m", least: 0.01, most: 5000, start: "5", zero: true, signed: true },
   };

@@ -17,6 +17,16 @@
 
   explorer.filter = (name, tau) => (filters[name] && tau > 0 ? filters[name](tau) : null);
 
+  // the largest x between two, where the first is inside and the second is not
+  explorer.halved = (inside, low, high) => {
+    for (let i = 0; i < 64; ++i) {
+      const middle = (low + high) / 2;
+      if (inside(middle)) low = middle;
+      else high = middle;
+    }
+    return low;
+  };
+
   // where f is largest between two
   explorer.largest = (f, low, high, rounds) => {
     const share = (Math.sqrt(5) - 1) / 2;
