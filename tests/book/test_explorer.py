@@ -642,7 +642,7 @@ def test_the_wall_is_dragged(page):
     page.mouse.move(box["x"] + box["width"] / 2 + 30, box["y"] + box["height"] / 2 - 20, steps=4)
     page.mouse.up()
     rest(page)
-    circle = page.locator("circle.wall").bounding_box()
+    circle = page.locator("#region circle.wall").bounding_box()
     assert abs(circle["x"] + circle["width"] / 2 - box["x"] - box["width"] / 2 - 30) < 40
     assert float(page.input_value("#field-K")) > 3000
 
