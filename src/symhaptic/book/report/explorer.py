@@ -38,7 +38,7 @@ KERNELS = (
 """What the page asks of the exporter."""
 
 SCRIPTS = (
-    *("kernels", "decimal", "data", "state", "boundary", "limits", "response"),
+    *("kernels", "decimal", "data", "state", "velocity", "boundary", "limits", "response"),
     *("drawing", "copies", "controls", "telling", "page"),
 )
 """In the order in which the page loads them."""
@@ -91,6 +91,14 @@ class Told:
 
 _BOUNDARY = r"p\big(e^{j\theta};\, \alpha(\theta), \beta(\theta)\big) = 0,\quad \theta = \omega T"
 _WHOLE = (*PAPER["eq5"].latex, r"K \ge 0,\quad d \in \mathbb{N}_0")
+_FILTER, _FILTERED = (
+    "s10a_filtered_velocity",
+    (
+        r"b > \frac{T}{2} \frac{1}{1 - \cos(\omega T)} "
+        r"\Re\{(1 - e^{-j\omega T}) e^{-j d \omega T} H(e^{j\omega T})\}",
+        r"K \ge 0,\quad d \in \mathbb{N}_0",
+    ),
+)
 _PUSHES = (*PAPER["eq4"].latex, r"K \ge 0,\quad d \in \mathbb{N}_0")
 
 FRACTIONAL_PASSIVITY = (
@@ -197,7 +205,8 @@ def page() -> nodes.section:
 
 _COUNTED = (
     "For stability $m$, $b$ and $k$ are those of device and arm together. For passivity $b$ is "
-    "that of the device alone."
+    "that of the device alone. With a velocity filter $F(z)$ the wall has the transfer function "
+    "$H(z)=K+B\\,(1-z^{-1})\\,F(z)/T$."
 )
 
 _RULES = (
@@ -214,12 +223,14 @@ def _limit(told: Told) -> nodes.container:
     ]
     if told.fraction is None:
         return container("limit", *lines, display(told.formula))
-    derived = _linked("derivation", told.fraction.chapter)
-    between = [paragraph(words(told.fraction.words), " (", derived, ")")]
-    if told.fraction.formula:
-        between.append(display(told.fraction.formula))
-    whole = container("delay-whole", display(told.formula))
-    return container("limit", *lines, whole, container("delay-fraction", *between))
+    kinds = [container("delay-whole", display(told.formula))]
+    for kind, chapter, formula in (
+        ("delay-fraction", told.fraction.chapter, told.fraction.formula),
+        ("delay-filter", _FILTER, told.fraction.formula and _FILTERED),
+    ):
+        said = paragraph(words(told.fraction.words), " (", _linked("derivation", chapter), ")")
+        kinds.append(container(kind, said, *([display(formula)] if formula else [])))
+    return container("limit", *lines, *kinds)
 
 
 def _rule_rows(id: str, latex: tuple[str, ...]) -> list[nodes.Element]:

@@ -1,22 +1,28 @@
-// The boundary as the kernels give it: sampled, the pieces that border stable walls, and one row.
+// The boundary of a loop: sampled, the pieces that border stable walls, and one row.
 "use strict";
 (() => {
   const SAMPLES = 800;
   const EACH = 8; // pieces
-  const stable = (n, alpha, beta) => haptic.is_stable(alpha, beta, n.gamma, n.delta, n.d);
+  const KEPT = 2; // curves: with the filter and without
+  const { stable, boundary } = explorer;
 
   // walls [alpha, beta, theta] with a root at exp(j theta), denser at small angles; while a wall is
-  // dragged the loop stays the same, and so does its curve
-  let last = { points: [] };
-  explorer.curve = ({ gamma, delta, d }) => {
-    if (last.gamma === gamma && last.delta === delta && last.d === d) return last.points;
+  // dragged the loop stays the same, and so does its curve. A point without numbers is a pole
+  const curves = new Map();
+  explorer.curve = (n) => {
+    const loop = [n.gamma, n.delta, n.d, n.filter].join();
+    if (curves.has(loop)) return curves.get(loop);
     const points = [];
+    let before = 1;
     for (let i = 1; i <= SAMPLES; ++i) {
       const theta = Math.PI * (i / SAMPLES) ** 3;
-      const [alpha, beta] = haptic.stability_boundary(theta, gamma, delta, d);
+      const [alpha, beta, slope = 1] = boundary(n, theta);
+      if (slope * before < 0) points.push([NaN, NaN, theta]);
       if (Number.isFinite(alpha) && Number.isFinite(beta)) points.push([alpha, beta, theta]);
+      before = slope;
     }
-    last = { gamma, delta, d, points };
+    if (curves.size === KEPT) curves.delete(curves.keys().next().value);
+    curves.set(loop, points);
     return points;
   };
 
@@ -46,18 +52,20 @@
     return found;
   };
 
-  // alpha + 2 beta of the walls with a root at -1, from the end of the curve
-  explorer.line = (points) => {
+  // alpha of the wall with a root at -1, by its damping; all of them are on a line through the end
+  explorer.line = (n, points) => {
     const [alpha, beta, theta] = points.at(-1) ?? [NaN, NaN, 0];
-    return theta === Math.PI ? alpha + 2 * beta : NaN;
+    const last = n.filter ? explorer.velocity(n.filter, Math.PI)[0] : 2;
+    const whole = theta === Math.PI ? alpha + last * beta : NaN;
+    return (at) => whole - last * at;
   };
 
   // all places where the count of roots can change on a row of one damping, from left to right
   explorer.marks = (n, points, beta) => {
-    const found = [[-n.gamma, 0], [explorer.line(points) - 2 * beta, Math.PI]].filter(([x]) => Number.isFinite(x));
+    const found = [[-n.gamma, 0], [explorer.line(n, points)(beta), Math.PI]].filter(([x]) => Number.isFinite(x));
     for (let i = 1; i < points.length; ++i) {
       const [p, q] = [points[i - 1], points[i]];
-      if ((p[1] < beta) === (q[1] < beta)) continue;
+      if ((p[1] < beta) === (q[1] < beta) || Number.isNaN(p[1] + q[1])) continue;
       const share = (beta - p[1]) / (q[1] - p[1]);
       found.push([p[0] + share * (q[0] - p[0]), p[2] + share * (q[2] - p[2]), i]);
     }
@@ -66,10 +74,10 @@
 
   // the same for every row of a picture, each with the branch that it is on: a branch rises or falls
   explorer.rows = (n, points, betas) => {
-    const line = explorer.line(points);
+    const line = explorer.line(n, points);
     const rows = betas.map((beta) => {
       const found = [{ x: -n.gamma, theta: 0, branch: -1, piece: 0 }];
-      if (Number.isFinite(line)) found.push({ x: line - 2 * beta, theta: Math.PI, branch: -2, piece: 0 });
+      if (Number.isFinite(line(beta))) found.push({ x: line(beta), theta: Math.PI, branch: -2, piece: 0 });
       return found;
     });
     const [first, last] = [betas[0], betas.at(-1)];
@@ -95,12 +103,12 @@
     let [low, high] = [p[2], q[2]];
     for (let i = 0; i < 60; ++i) {
       const middle = (low + high) / 2;
-      const below = haptic.stability_boundary(middle, n.gamma, n.delta, n.d)[1] < beta;
+      const below = boundary(n, middle)[1] < beta;
       if (below === (p[1] < beta)) low = middle;
       else high = middle;
     }
     const theta = (low + high) / 2;
-    return [haptic.stability_boundary(theta, n.gamma, n.delta, n.d)[0], theta];
+    return [boundary(n, theta)[0], theta];
   }
 
   // the stiffest stable wall of this damping, and the angle of its roots
@@ -109,8 +117,20 @@
       (i ? refined(n, points[i - 1], points[i], beta) : [x, theta]));
     marks.sort((one, two) => one[0] - two[0]);
     for (let i = marks.length - 1; i > 0; --i) {
-      if (stable(n, (marks[i][0] + marks[i - 1][0]) / 2, beta)) return marks[i];
+      const low = (marks[i][0] + marks[i - 1][0]) / 2;
+      if (!stable(n, low, beta)) continue;
+      const high = marks[i][0] - 1e-9 * (marks[i][0] - low);
+      if (!n.filter || stable(n, high, beta)) return marks[i];
+      return [explorer.halved((alpha) => stable(n, alpha, beta), low, high), NaN]; // a crossing was missed
     }
     return [NaN, NaN];
   };
+
+  // about the stiffest stable wall of each of many dampings
+  explorer.lasts = (n, points, betas) => explorer.rows(n, points, betas).map((row, r) => {
+    for (let i = row.length - 1; i > 0; --i) {
+      if (stable(n, (row[i].x + row[i - 1].x) / 2, betas[r])) return row[i].x;
+    }
+    return NaN;
+  });
 })();

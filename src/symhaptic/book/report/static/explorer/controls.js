@@ -37,6 +37,8 @@
       if (good) changed(key, String(Number(field.value)));
     });
     box.show = (state) => {
+      box.hidden = q.with ? !q.with(state) : false;
+      if (q.also) box.querySelector("small").textContent = `, ${q.note}: ${q.also(state)}`;
       field.now = state[key];
       const place = toSlider(q, Number(state[key]));
       if (Number(slider.value) !== place) slider.value = place;

@@ -11,18 +11,52 @@ damping = ${s.b_H}
 stiffness = ${s.k_H}
 ${explorer.replaces(s) ? "with_device = true\n" : ""}` : "");
 
+  // kind of a filter, its options, and how they are written
+  const filters = { "low-pass": {}, tustin: { mapping: '"Tustin"' }, "second-order": { order: 2 } };
+  const given = (s, between) => Object.entries({ cutoff: s.f_c, ...filters[s.velocity] }).map((pair) => pair.join(between));
+
+  const pythonFilter = (s) => (explorer.filtered(s) ? `
+    velocity=LowPass(${given(s, "=").join(", ")}),  # Hz` : "");
+
+  const tomlFilter = (s) => (explorer.filtered(s) ? `
+[velocity]
+kind = "low-pass"
+${given(s, " = ").join("\n")}
+` : "");
+
+  const pythonPassive = (s, n) => (explorer.passivityTold(n)
+    ? `print(scene.is_passive(K=${s.K}, B=${s.B}), scene.max_passive_stiffness())\n` : "");
+
+  // the wall itself, where the exported functions do not know its filter
+  function cWall(s, n) {
+    const [above, below] = explorer.coefficients(n.filter);
+    const [a2, a1, a0] = above.map((each) => each / Number(s.T));
+    return `/* The wall in SI units, called once every ${s.T} s. With the file under TOML,
+   symhaptic controller writes it with a self-test. */
+double wall(double x) /* position in m; returns the force in N */
+{
+    static double x1, x2, v1, v2;
+    const double v = ${a2} * x + ${a1} * x1 + ${a0} * x2
+        - ${below[1]} * v1 - ${below[2]} * v2;
+    x2 = x1;
+    x1 = x;
+    v2 = v1;
+    v1 = v;
+    return -(${s.K} * x + ${s.B} * v);
+}
+`;
+  }
+
   explorer.copies = {
-    Python: (s) => `from symhaptic import ${explorer.hasArm(s) ? "Arm, " : ""}Scene
+    Python: (s, n) => `from symhaptic import ${[...(explorer.hasArm(s) ? ["Arm"] : []), ...(n.filter ? ["LowPass"] : []), "Scene"].join(", ")}
 
 scene = Scene(
     mass=${s.m}, damping=${s.b}, stiffness=${s.k},  # of the device, in kg, Ns/m, N/m
-    sampling_period=${s.T}, delay=${s.t_d},  # s${pythonArm(s)}
+    sampling_period=${s.T}, delay=${s.t_d},  # s${pythonArm(s)}${pythonFilter(s)}
 )
 # K = ${s.K} N/m, B = ${s.B} Ns/m; stability counts device and arm, passivity the device alone
-print(scene.is_stable(K=${s.K}, B=${s.B}), scene.is_passive(K=${s.K}, B=${s.B}))
-print(scene.limit_at(B=${s.B}))
-print(scene.max_stable_stiffness(), scene.max_passive_stiffness())
-print(scene.delay_margin(K=${s.K}, B=${s.B}))  # s that may be added to the delay
+print(scene.is_stable(K=${s.K}, B=${s.B}), scene.limit_at(B=${s.B}), scene.max_stable_stiffness())
+${pythonPassive(s, n)}print(scene.delay_margin(K=${s.K}, B=${s.B}))  # s that may be added to the delay
 `,
     TOML: (s) => `# SI units: kg, Ns/m, N/m, s
 mass = ${s.m}
@@ -30,18 +64,18 @@ damping = ${s.b}
 stiffness = ${s.k}
 sampling_period = ${s.T}
 delay = ${s.t_d}
-${tomlArm(s)}
+${tomlArm(s)}${tomlFilter(s)}
 [wall]
 K = ${s.K}
 B = ${s.B}
 `,
-    C: (s, n) => `#include "haptic.h" /* symhaptic export is_stable passivity_margin --target c */
+    C: (s, n) => (n.filter ? cWall(s, n) : `#include "haptic.h" /* symhaptic export is_stable passivity_margin --target c */
 
 /* alpha, beta, then gamma and delta of device and arm, delay in sampling periods */
 bool stable = haptic_is_stable(${n.alpha}, ${n.beta}, ${n.gamma}, ${n.delta}, ${n.d});
 /* alpha, beta, then delta of the device alone, delay in sampling periods */
 bool passive = haptic_passivity_margin(${n.alpha}, ${n.beta}, ${n.own}, ${n.d}) >= 0;
-`,
+`),
   };
 
   function save(url, name) {

@@ -82,9 +82,10 @@
         if (there) for (const [alpha, beta] of [points[i - 1], points[i]]) add(alpha, beta);
       });
     }
-    const corner = (explorer.line(points) + n.gamma) / 2; // where both straight parts meet
+    const line = explorer.line(n, points);
+    const corner = (line(0) + n.gamma) / (line(0) - line(1)); // where both straight parts meet
     const near = 1e-6 * Math.abs(corner);
-    if (kind === "stable" && haptic.is_stable(-n.gamma + near, corner - near, n.gamma, n.delta, n.d)) add(-n.gamma, corner);
+    if (kind === "stable" && Number.isFinite(corner) && explorer.stable(n, -n.gamma + near, corner - near)) add(-n.gamma, corner);
     const wide = right - left || 1;
     const tall = high - low || 1;
     return { left: left - 0.06 * wide, right: right + 0.08 * wide, low: low - 0.08 * tall, high: high + 0.08 * tall };
@@ -95,7 +96,7 @@
   // no root is counted anew. Where the rows contradict what is known of the pieces, all is asked
   explorer.stablePath = (n, points, view, frame, exactly = false) => {
     const [out, edge] = [[], []];
-    const line = explorer.line(points);
+    const line = explorer.line(n, points);
     const bordering = explorer.bordering(n, points, exactly);
     const place = (value) => frame.x(value).toFixed(1);
     const tops = [];
@@ -113,7 +114,7 @@
       before = order;
       if (same < 2 || exactly) { // a part that has just begun may be too narrow to be judged
         const middle = beta(py + ROW / 2);
-        stable = ends.slice(1).map((end, i) => haptic.is_stable((ends[i] + end) / 2, middle, n.gamma, n.delta, n.d));
+        stable = ends.slice(1).map((end, i) => explorer.stable(n, (ends[i] + end) / 2, middle));
       }
       stable.forEach((good, i) => {
         if (good) out.push(`M${place(ends[i])} ${py}H${place(ends[i + 1])}v${ROW}H${place(ends[i])}z`);
@@ -124,8 +125,7 @@
           const near = [-1, 0, 1].map((by) => bordering[piece + by] ?? bordering[piece]);
           if (same > 0 && near.every((kind) => kind !== border)) sure = false;
         } else if (border) {
-          const [top, bottom] = [beta(py), beta(py + ROW)];
-          const [above, below] = theta === 0 ? [-n.gamma, -n.gamma] : [line - 2 * top, line - 2 * bottom];
+          const [above, below] = theta === 0 ? [-n.gamma, -n.gamma] : [line(beta(py)), line(beta(py + ROW))];
           edge.push(`M${place(above)} ${py}L${place(below)} ${py + ROW}`);
         }
       });
@@ -148,7 +148,7 @@
         draw(bordering[i], p, q);
         continue;
       }
-      const at = (share) => haptic.stability_boundary(p[2] + share * (q[2] - p[2]), n.gamma, n.delta, n.d);
+      const at = (share) => explorer.boundary(n, p[2] + share * (q[2] - p[2]));
       for (let j = 0; j < PARTS; ++j) {
         const [one, two] = [at(j / PARTS), at((j + 1) / PARTS)];
         draw(explorer.borders(n, one, two), one, two);
@@ -160,24 +160,24 @@
   // everything that is drawn of the walls, as paths
   explorer.paths = (n, points, view, frame) => {
     const [stable, straight] = explorer.stablePath(n, points, view, frame);
-    const linear = [view.low, view.high].map((beta) => `${frame.x(haptic.linear_limit(beta, n.delta, n.d)).toFixed(1)} ${frame.y(beta).toFixed(1)}`);
+    const linear = n.filter ? [] : [view.low, view.high].map((beta) => `${frame.x(haptic.linear_limit(beta, n.delta, n.d)).toFixed(1)} ${frame.y(beta).toFixed(1)}`);
     return {
       stable,
       edge: straight + explorer.borderPath(n, points, frame),
       passive: explorer.passivePath(n, frame),
-      linear: `M${linear.join("L")}`,
+      linear: linear.length ? `M${linear.join("L")}` : "",
       axis: `M${frame.x(0).toFixed(1)} ${frame.top}V${frame.bottom}M${frame.left} ${frame.y(0).toFixed(1)}H${frame.right}`,
     };
   };
 
   // the needed damping grows with the wall: in each direction it is a multiple of that of one wall
   explorer.passivePath = (n, frame) => {
-    if (!(n.own > 0)) return "";
+    if (!(n.own > 0 && explorer.passivityTold(n))) return "";
     const out = [];
     for (let i = 0; i <= 240; ++i) {
       const angle = Math.PI * (i / 240 - 0.5);
       const [alpha, beta] = [i % 240 ? Math.cos(angle) : 0, Math.sin(angle)];
-      const far = n.own / (n.own - haptic.passivity_margin(alpha * n.own, beta * n.own, n.own, n.d));
+      const far = n.own / (n.own - explorer.margin(n, alpha * n.own, beta * n.own));
       out.push(`${frame.x(alpha * far * n.own).toFixed(2)} ${frame.y(beta * far * n.own).toFixed(2)}`);
     }
     return `M${out.join("L")}Z`;

@@ -2,42 +2,16 @@
 // arm, passivity the damping n.own of the device alone.
 "use strict";
 (() => {
+  const { largest, halved } = explorer;
   const LONGEST = 200; // periods up to which the largest delay is looked for
+  const ROWS = 96; // dampings of a chart
+  const BEYOND = 2.25; // times the damping of the stiffest wall, where a chart ends
   // parts of a period; if gamma is large, instability may begin and end within an eighth
   const steps = (gamma) => (gamma > 1 ? 32 : 8);
 
-  // the largest x between two, where the first is inside and the second is not
-  function halved(inside, low, high) {
-    for (let i = 0; i < 64; ++i) {
-      const middle = (low + high) / 2;
-      if (inside(middle)) low = middle;
-      else high = middle;
-    }
-    return low;
-  }
-
-  // where f is largest between two
-  function largest(f, low, high, rounds) {
-    const share = (Math.sqrt(5) - 1) / 2;
-    let [one, two] = [high - share * (high - low), low + share * (high - low)];
-    let [at_one, at_two] = [f(one), f(two)];
-    for (let i = 0; i < rounds; ++i) {
-      if (at_one > at_two) {
-        [high, two, at_two] = [two, one, at_one];
-        one = high - share * (high - low);
-        at_one = f(one);
-      } else {
-        [low, one, at_one] = [one, two, at_two];
-        two = low + share * (high - low);
-        at_two = f(two);
-      }
-    }
-    return (low + high) / 2;
-  }
-
   // the largest delay, in periods, such that the loop is stable for every smaller one
   function maxDelay(n) {
-    const stable = (d) => haptic.is_stable(n.alpha, n.beta, n.gamma, n.delta, d);
+    const stable = (d) => explorer.stable(n, n.alpha, n.beta, d);
     if (!stable(0)) return 0;
     const each = steps(n.gamma);
     for (let i = 1; i <= LONGEST * each; ++i) {
@@ -47,13 +21,14 @@
   }
 
   function passiveAt(n, most) {
-    const margin = (alpha) => haptic.passivity_margin(alpha, n.beta, n.own, n.d);
+    const margin = (alpha) => explorer.margin(n, alpha, n.beta);
     const best = margin(0) >= 0 ? 0 : largest(margin, 0, most, 80);
     return margin(best) >= 0 ? halved((alpha) => margin(alpha) >= 0, best, 2 * most) : NaN;
   }
 
   // the angle at which the wall needs most damping
   function worst(n) {
+    if (n.filter) return explorer.required(n, n.alpha, n.beta)[1];
     const needed = (theta) => -haptic.passivity_margin_at(theta, n.alpha, n.beta, n.own, n.d);
     const count = 64 * (1 + Math.min(Math.ceil(n.d), 40));
     let [best, most] = [1, -Infinity];
@@ -65,24 +40,82 @@
     return largest(needed, (Math.PI * (best - 1)) / count, (Math.PI * (best + 1)) / count, 40);
   }
 
+  // about the largest stable stiffness of each of many dampings: [alpha, beta]
+  function swept(n, points, low, high) {
+    const betas = Array.from({ length: ROWS + 1 }, (_, i) => low + ((high - low) * i) / ROWS);
+    return explorer.lasts(n, points, betas).map((alpha, i) => [alpha, betas[i]]);
+  }
+
+  const stiffestOf = (walls) => walls.reduce((best, wall, i) => (wall[0] > (walls[best]?.[0] ?? -Infinity) ? i : best), -1);
+
+  // dampings between which walls are stable: corners are beyond the last piece of the curve
+  function dampings(n, points) {
+    const there = explorer.bordering(n, points);
+    const near = points.filter((_, i) => there[i] || there[i + 1]).map(([, beta]) => beta).filter(Number.isFinite);
+    const [low, high] = [Math.min(-n.delta, ...near), Math.max(0, ...near)];
+    return [low - 0.1 * (high - low), high + 0.1 * (high - low)];
+  }
+
+  // the stiffest stable wall of a loop, told once; searched where no kernel knows it
+  const known = new WeakMap();
+  function stiffest(n, points) {
+    if (!n.filter) return haptic.max_stable_stiffness(n.gamma, n.delta, n.d);
+    if (known.has(points)) return known.get(points);
+    const walls = swept(n, points, ...dampings(n, points));
+    const best = walls[stiffestOf(walls)]?.[1] ?? NaN;
+    const width = walls[1][1] - walls[0][1];
+    const at = (beta) => explorer.stiffestAt(n, points, beta);
+    const most = (beta) => { // where nothing is stable, more the nearer to the best
+      const [alpha] = at(beta);
+      return Number.isNaN(alpha) ? -1e300 * (1 + Math.abs(beta - best) / width) : alpha;
+    };
+    const beta = largest(most, best - width, best + width, 40);
+    const [alpha, theta] = at(beta);
+    known.set(points, [alpha, beta, theta]);
+    return known.get(points);
+  }
+
+  // passive walls are convex, so that the stiffest is found by its direction
+  function stiffestPassive(n) {
+    if (!n.filter) return haptic.max_passive_stiffness(n.own, n.d);
+    const wall = (angle) => {
+      const [alpha, beta] = [Math.cos(angle), Math.sin(angle)];
+      const far = n.own / explorer.required(n, alpha, beta)[0];
+      return [alpha * far, beta * far];
+    };
+    return wall(largest((angle) => wall(angle)[0], -Math.PI / 2, Math.PI / 2, 60));
+  }
+
+  // the largest stable stiffness from no damping to beyond the stiffest wall: [alpha, beta]
+  const charts = new WeakMap();
+  explorer.chart = (n, points) => {
+    if (charts.has(points)) return charts.get(points);
+    const [, end] = dampings(n, points);
+    const whole = swept(n, points, 0, end);
+    const most = whole[stiffestOf(whole)]?.[1] || end;
+    const walls = swept(n, points, 0, Math.min(BEYOND * most, end));
+    charts.set(points, walls.slice(0, 2 + walls.findLastIndex(([alpha]) => Number.isFinite(alpha))));
+    return charts.get(points);
+  };
+
   explorer.limits = (n, points) => {
-    const stiffest = haptic.max_stable_stiffness(n.gamma, n.delta, n.d);
-    const stable = haptic.is_stable(n.alpha, n.beta, n.gamma, n.delta, n.d);
-    const passive = haptic.max_passive_stiffness(n.own, n.d);
-    const margin = haptic.passivity_margin(n.alpha, n.beta, n.own, n.d);
+    const stable = explorer.stable(n, n.alpha, n.beta);
+    const passive = stiffestPassive(n);
+    const margin = explorer.margin(n, n.alpha, n.beta);
     const delay = maxDelay(n);
     const [alpha, theta] = explorer.stiffestAt(n, points, n.beta);
     return {
       stable,
       passive: margin >= 0,
+      told: explorer.passivityTold(n),
       needed: n.own - margin,
       worst: worst(n),
       alpha,
       theta,
-      stiffest,
+      stiffest: stiffest(n, points),
       stiffest_passive: passive,
       passive_alpha: passiveAt(n, passive[0]),
-      linear: haptic.linear_limit(n.beta, n.delta, n.d),
+      linear: n.filter ? NaN : haptic.linear_limit(n.beta, n.delta, n.d),
       delay,
       // what may be added: nothing to an unstable loop; not known after an instability at less delay
       delay_margin: delay > n.d ? delay - n.d : stable ? NaN : 0,

@@ -4,7 +4,7 @@ const WARM = 24; // states
 document.addEventListener("DOMContentLoaded", () => {
   const find = (id) => document.getElementById(id);
   if (!find("explore")) return;
-  const [region, motion] = [find("region"), find("motion")];
+  const [region, chart, motion] = ["region", "chart", "motion"].map(find);
   let state = explorer.fromHash(location.hash);
   let frame = null;
   let asked = 0;
@@ -40,6 +40,9 @@ document.addEventListener("DOMContentLoaded", () => {
     change({ [explorer.WITH_DEVICE]: together.checked ? "1" : "0" });
   });
 
+  const velocity = find("velocity");
+  velocity.addEventListener("change", () => change({ velocity: velocity.value }));
+
   function draw() {
     asked = 0;
     const began = performance.now();
@@ -47,11 +50,16 @@ document.addEventListener("DOMContentLoaded", () => {
     const points = explorer.curve(n);
     const limits = explorer.limits(n, points);
     showControls(state, n);
+    velocity.value = state.velocity;
     together.checked = explorer.replaces(state);
     together.disabled = !(Number(state.m_H) > 0);
     const mass = Number(explorer.coupled(state).m);
     const [K, B] = [mass / Number(state.T) ** 2, mass / Number(state.T)];
     drawRegion(n, points, limits, K, B);
+    explorer.drawChart(chart, size(), n, points, limits, K, B);
+    find("bare-key").hidden = !n.filter;
+    for (const key of document.querySelectorAll(".passive-key")) key.hidden = !limits.told;
+    find("linear-key").hidden = Boolean(n.filter);
     explorer.drawMotion(motion, width, state, n, limits.stable);
     explorer.tell(state, n, limits, K, B);
     explorer.write(find("code"), explorer.copies[find("language").value](state, n));

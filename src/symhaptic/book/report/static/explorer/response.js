@@ -11,7 +11,10 @@
     const swing = Math.sqrt(Math.abs(n.alpha + n.gamma)) || 0.05;
     const count = Math.max(60, Math.min(MOST, Math.ceil((8 * Math.PI) / swing + 6 * n.d)));
     const x = [];
-    const force = (i) => (i < 0 ? 0 : (n.alpha + n.beta) * x[i] - (i > 0 ? n.beta * x[i - 1] : 0));
+    const v = [];
+    const [above, below] = explorer.coefficients(n.filter);
+    const past = (row, from, i, first) => row.reduce((sum, each, j) => sum + (j >= first ? each * (from[i - j] ?? 0) : 0), 0);
+    const force = (i) => (i < 0 ? 0 : n.alpha * x[i] + n.beta * v[i]);
     for (let i = 0; i <= count; ++i) {
       const own = a * (x[i - 1] ?? 0) - e * (x[i - 2] ?? 0);
       const push = (i > 0 ? n1 : 0) + (i > 1 ? n0 : 0);
@@ -20,6 +23,7 @@
       const next = own + push - wall;
       if (!(Math.abs(next) < 1e9)) break;
       x.push(next);
+      v.push(past(above, x, i, 0) - past(below, v, i, 1));
     }
     return x;
   };

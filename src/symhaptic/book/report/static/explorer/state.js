@@ -5,20 +5,26 @@
   const { quotient, sum, difference } = explorer;
 
   explorer.quantities = {
-    m: { symbol: "m_D", label: "Mass", note: "device", unit: "kg", least: 0.01, most: 100, start: "0.1", above: 0 },
+    m: { symbol: "m_D", label: "Mass", note: "device", unit: "kg", least: 0.01, most: 100, start: "0.1" },
     b: { symbol: "b_D", label: "Damping", note: "device", unit: "Ns/m", least: 0.01, most: 200, start: "0.5", zero: true },
     k: { symbol: "k_D", label: "Stiffness", note: "device", unit: "N/m", least: 0.1, most: 5000, start: "0", zero: true },
     m_H: { label: "Mass", note: "arm", unit: "kg", least: 0.01, most: 100, start: "0", zero: true },
     b_H: { label: "Damping", note: "arm", unit: "Ns/m", least: 0.01, most: 200, start: "0", zero: true },
     k_H: { label: "Stiffness", note: "arm", unit: "N/m", least: 0.1, most: 5000, start: "0", zero: true },
-    T: { label: "Sampling period", unit: "s", least: 1e-5, most: 0.02, start: "0.001", above: 0 },
+    T: { label: "Sampling period", unit: "s", least: 1e-5, most: 0.02, start: "0.001" },
     t_d: { label: "Delay", note: "added to the hold", unit: "s", least: 1e-5, most: 0.1, start: "0.0015", zero: true },
+    f_c: { label: "Cut-off frequency", note: "velocity filter", unit: "Hz", least: 1, most: 10000, start: "50", with: (state) => explorer.filtered(state), also: (state) => `time constant ${explorer.number(1e3 / (2 * Math.PI * state.f_c))} ms` },
     K: { label: "Stiffness", note: "virtual wall", unit: "N/m", least: 1, most: 1e6, start: "1000", zero: true, signed: true },
     B: { label: "Damping", note: "virtual wall", unit: "Ns/m", least: 0.01, most: 5000, start: "5", zero: true, signed: true },
   };
 
   // whether the numbers of the arm were measured together with the device, which they then replace
   explorer.WITH_DEVICE = "with_device";
+
+  // what is chosen from a few words; the first is the choice at the start
+  const choices = { [explorer.WITH_DEVICE]: ["0", "1"], velocity: ["difference", "low-pass", "tustin", "second-order"] };
+
+  explorer.filtered = (state) => choices.velocity.indexOf(state.velocity) > 0;
 
   // the dimensionless parameters, with the mass m of device and arm
   explorer.ratios = {
@@ -51,7 +57,7 @@
 
   explorer.start = () => ({
     ...Object.fromEntries(Object.entries(explorer.quantities).map(([key, q]) => [key, q.start])),
-    [explorer.WITH_DEVICE]: "0",
+    ...Object.fromEntries(Object.entries(choices).map(([key, [first]]) => [key, first])),
   });
 
   explorer.hasArm = (state) => ["m_H", "b_H", "k_H"].some((key) => Number(state[key] ?? 0) > 0);
@@ -72,6 +78,7 @@
       const own = shared ? both[of] : state[of];
       out[name] = quotient([own, ...up.map((key) => state[key])], down.map((key) => both[key]));
     }
+    out.filter = explorer.filter(state.velocity, 1 / (2 * Math.PI * state.f_c * state.T));
     return out;
   };
 
@@ -85,19 +92,22 @@
   };
 
   explorer.toHash = (state) => {
-    const keys = [...Object.keys(explorer.quantities), ...(explorer.replaces(state) ? [explorer.WITH_DEVICE] : [])];
+    const filtered = explorer.filtered(state);
+    const keys = Object.keys(explorer.quantities).filter((key) => filtered || key !== "f_c");
+    if (explorer.replaces(state)) keys.push(explorer.WITH_DEVICE);
+    if (filtered) keys.push("velocity");
     return `#${keys.map((key) => `${key}=${state[key]}`).join("&")}`;
   };
 
   explorer.fromHash = (hash) => {
     const state = explorer.start();
     for (const [key, text] of new URLSearchParams(hash.replace(/^#/, ""))) {
-      if (taken(key, text)) state[key] = String(Number(text));
+      if (taken(key, text)) state[key] = Object.hasOwn(choices, key) ? text : String(Number(text));
     }
     return state;
   };
 
-  const taken = (key, text) => (key === explorer.WITH_DEVICE ? ["0", "1"].includes(text)
+  const taken = (key, text) => (Object.hasOwn(choices, key) ? choices[key].includes(text)
     : Object.hasOwn(explorer.quantities, key) && explorer.allowed(key, text));
 
   // in words, the parts of a link that are not allowed; one without numbers is a place in the page
@@ -106,8 +116,8 @@
     .map(([key, text]) => {
       const q = Object.hasOwn(explorer.quantities, key) && explorer.quantities[key];
       const known = q ? `${explorer.named(q)} in ${q.unit}: ${explorer.range(key)} is allowed; the picture shows ${state[key]}.`
-        : key === explorer.WITH_DEVICE ? "0 or 1 is allowed."
-          : `it may have ${Object.keys(explorer.quantities).join(", ")}.`;
+        : Object.hasOwn(choices, key) ? `${choices[key].join(" or ")} is allowed.`
+          : `it may have ${[...Object.keys(explorer.quantities), "velocity"].join(", ")}.`;
       return `The link has ${key} = ${text}; ${known}`;
     }).join(" ");
 })();

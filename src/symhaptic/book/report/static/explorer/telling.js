@@ -32,27 +32,42 @@
     place.className = good ? "judged good" : "judged bad";
   }
 
+  function hold(id, text) {
+    const place = document.getElementById(id);
+    explorer.write(place, text);
+    place.className = "judged";
+  }
+
   explorer.tell = (s, n, limits, K, B) => {
     const T = Number(s.T);
     const hertz = (theta) => theta / (2 * Math.PI * T);
     const at = (theta) => (Number.isFinite(theta) && theta > 0 ? `swings at ${explorer.number(hertz(theta))} Hz` : "");
     judge("told-stable", limits.stable, "stable", "unstable");
-    judge("told-passive", limits.passive, "passive", "not passive");
+    if (limits.told) judge("told-passive", limits.passive, "passive", "not passive");
+    else hold("told-passive", "passivity not told");
     const limit = Math.abs(limits.alpha) < 1e-14 ? 0 : limits.alpha; // where nothing damps, but for rounding
     say("told-limit", limit * K, "N/m", limit > 0 ? at(limits.theta) : "");
-    if (Number.isFinite(limits.stiffest[0])) say("told-stiffest", limits.stiffest[0] * K, "N/m", `with B = ${explorer.number(limits.stiffest[1] * B)} Ns/m, ${at(limits.stiffest[2])}`);
+    if (Number.isFinite(limits.stiffest[0])) say("told-stiffest", limits.stiffest[0] * K, "N/m", [`with B = ${explorer.number(limits.stiffest[1] * B)} Ns/m`, at(limits.stiffest[2])].filter(Boolean).join(", "));
+    else if (n.filter) say("told-stiffest", NaN, "N/m");
     else say("told-stiffest", NaN, "N/m", "outside of what the exported search covers", "not searched for");
-    say("told-passive-limit", limits.passive_alpha * K, "N/m");
-    say("told-stiffest-passive", limits.stiffest_passive[0] * K, "N/m", `with B = ${explorer.number(limits.stiffest_passive[1] * B)} Ns/m`);
-    say("told-linear", limits.linear * K, "N/m");
-    say("told-needed", limits.needed * B, "Ns/m", Number.isFinite(limits.needed) ? `the device has ${explorer.number(Number(s.b))} Ns/m; most at ${explorer.number(hertz(limits.worst))} Hz` : "no damping suffices for K < 0");
+    const untold = ["with a filter it is computed for integer delays", "not told"];
+    if (!limits.told) for (const id of ["told-passive-limit", "told-stiffest-passive", "told-needed"]) say(id, NaN, "", ...untold);
+    else passivity(s, limits, K, B, hertz);
+    if (n.filter) say("told-linear", NaN, "N/m", "the paper derives it for the difference of two samples", "not told");
+    else say("told-linear", limits.linear * K, "N/m");
     delay(limits, n, 1000 * T);
-    rules(together(s), limit * K);
+    rules(together(s), limit * K, n.filter);
     short(together(s), limit * K);
-    for (const [kind, hidden] of [["whole", n.d % 1 !== 0], ["fraction", n.d % 1 === 0]]) {
-      for (const place of document.querySelectorAll(`.delay-${kind}`)) place.hidden = hidden;
+    for (const [kind, hidden] of [["whole", n.filter || n.d % 1 !== 0], ["fraction", n.filter || n.d % 1 === 0], ["filter", !n.filter]]) {
+      for (const place of document.querySelectorAll(`.delay-${kind}`)) place.hidden = Boolean(hidden);
     }
   };
+
+  function passivity(s, limits, K, B, hertz) {
+    say("told-passive-limit", limits.passive_alpha * K, "N/m");
+    say("told-stiffest-passive", limits.stiffest_passive[0] * K, "N/m", `with B = ${explorer.number(limits.stiffest_passive[1] * B)} Ns/m`);
+    say("told-needed", limits.needed * B, "Ns/m", Number.isFinite(limits.needed) ? `the device has ${explorer.number(Number(s.b))} Ns/m; most at ${explorer.number(hertz(limits.worst))} Hz` : "no damping suffices for K < 0");
+  }
 
   // what may be added to the delay, and the sum
   function delay(limits, n, ms) {
@@ -79,11 +94,11 @@
     formula.replaceChildren(print);
   }
 
-  function rules(values, exact) {
+  function rules(values, exact, filter) {
     for (const rule of explorer.rules) {
       const row = document.querySelector(`.rule-${rule.id}`);
       const value = rule.limit(values);
-      const meant = rule.meant(values);
+      const meant = rule.meant(values) && !(filter && values.B !== 0);
       const [number, verdict] = row.querySelectorAll(".rule-value, .rule-verdict");
       explorer.write(number, Number.isFinite(value) ? `${explorer.number(value)} N/m` : "none");
       number.dataset.value = String(value);
@@ -96,6 +111,27 @@
       verdict.className = `rule-verdict ${value > 0 && !(over <= 1) ? "over" : "safe"}`;
     }
   }
+
+  // the limits over the damping, with the filter and without it
+  explorer.drawChart = (svg, size, n, points, limits, K, B) => {
+    const chart = explorer.chart(n, points);
+    const plain = { ...n, filter: null };
+    const bare = n.filter ? explorer.chart(plain, explorer.curve(plain)) : [];
+    const top = (i, walls) => Math.max(0, ...walls.map((wall) => wall[i] || 0));
+    const beta = Math.max(n.beta, top(1, chart));
+    const alpha = top(0, chart);
+    const beside = Math.min(3 * alpha, top(0, bare.filter((wall) => wall[1] <= beta)));
+    const view = { left: 0, right: 1.05 * Math.max(n.alpha, alpha, beside) || 1, low: 0, high: 1.05 * beta || 1 };
+    const si = { left: 0, right: view.right * K, low: 0, high: view.high * B };
+    const { inside } = explorer.frame(svg, si, size, ["virtual stiffness K in N/m", "virtual damping B in Ns/m"]);
+    const { element } = explorer;
+    const frame = explorer.scale(view, size);
+    const far = (value) => Math.max(-9999, Math.min(9999, value)).toFixed(1);
+    const line = (walls) => walls.map(([alpha, beta], i) => (Number.isNaN(alpha) ? "" : `${Number.isFinite(walls[i - 1]?.[0]) ? "L" : "M"}${far(frame.x(alpha))} ${far(frame.y(beta))}`)).join("");
+    const paths = { passive: explorer.passivePath(n, frame), linear: line(bare), edge: line(chart) };
+    for (const [name, d] of Object.entries(paths)) inside.append(element("path", { class: name, d }));
+    inside.append(element("circle", { class: limits.stable ? "wall" : "wall lost", cx: frame.x(n.alpha), cy: frame.y(n.beta), r: 7 }));
+  };
 
   explorer.drawMotion = (svg, width, s, n, stable) => {
     const x = explorer.response(n);
