@@ -157,6 +157,10 @@ B = 1.0
     assert "is not stable" in run.stderr
     assert run.stderr.count("\n") == 1
     assert not (tmp_path / "other").exists()
+    device.write_text(text.partition("[wall]")[0])
+    run = symhaptic("controller", device)
+    assert run.stderr.count(device.name) == 1
+    assert "has no wall; give a table [wall] with K and B" in run.stderr
 
 
 def test_the_code_says_in_which_units_it_counts():
