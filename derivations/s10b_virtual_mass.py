@@ -51,7 +51,7 @@ def derive(page):
         "The margin is least at Nyquist's frequency",
         MARGIN.right - (b - BOUND.left),
         (1 + cos(theta)) * (B + m_v / T * (3 - 2 * cos(theta))),
-        because="not negative for $B\\ge0$ and $m_v\\ge0$, and it tends to 0 for $\\theta\\to\\pi$",
+        because=r"it is not negative for $B\ge0$ and $m_v\ge0$, and tends to 0 for $\theta\to\pi$",
     )
     found = page.lemma(
         "A wall with a virtual mass is passive if and only if the damping of the device outweighs "

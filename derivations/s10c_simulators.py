@@ -132,7 +132,7 @@ def _held(page):
         "The simulator's bound is this many times that of a free mass without delay",
         (4 * m / T**2 - 2 * B / T) / of_two_samples(),
         1 + 2 * m / (B * T),
-        because="more than twice for $BT<2m$, and without bound for little damping",
+        because="the ratio exceeds 2 for $BT<2m$, and it has no bound as the damping tends to 0",
     )
     settle_by_two_samples(
         page, HELD, "exact for semi-implicit Euler, and at least twice what a device bears"

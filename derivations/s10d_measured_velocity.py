@@ -54,7 +54,7 @@ def derive(page):
         "The difference from the bound for a difference of two samples",
         2 * B / T - of_two_samples(),
         4 * B**2 / (2 * m + B * T),
-        because="little for little damping, and all of it at $BT=2m$",
+        because="for little damping the difference is small; at $BT=2m$ it is the whole stiffness",
     )
     settle_by_two_samples(
         page,

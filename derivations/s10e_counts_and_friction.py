@@ -58,8 +58,8 @@ def derive(page):
         "A small swing across the edge of a count leaves this energy",
         -K * Delta_x * 2 * h + 2 * b * (2 * h) ** 2 / T + 2 * f_c * 2 * h,
         -2 * h * (K * Delta_x - 2 * f_c - 4 * b * h / T),
-        because="negative for $K\\Delta_x>2f_c$ and a small $h$; if it is repeated, the energy "
-        "grows without bound",
+        because=r"this is negative for $K\Delta_x>2f_c$ and a small $h$; if the motion is "
+        "repeated, the energy grows without bound",
     )
     page.lemma(
         "Some motion gains energy beyond $2f_c/\\Delta_x$, with any damper",

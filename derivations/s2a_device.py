@@ -40,7 +40,8 @@ def derive(page):
         "The arm's forces can be counted as external",
         both * x - F_E,
         device * x - (F_E - arm * x),
-        because="zero for the common motion; the last bracket is the force on the device alone",
+        because="the sum is zero for the common motion; the last bracket is the force on the "
+        "device alone",
     )
     _settle(page)
 

@@ -31,6 +31,6 @@ def derive(page):
         law.subs(z, 1),
         K,
         name="H(1)",
-        because=r"at a constant position only the spring acts; passivity needs $H(1)\ge0$ later",
+        because=r"at a constant position only the spring acts; passivity requires $H(1)\ge0$",
     )
     page.settle("eq1", Eq(H(z), form), definition=True)

@@ -46,14 +46,14 @@ def derive(page):
         real_part(lag),
         1 / (1 + omega**2),
         name=r"\Re\frac{1}{1+j\omega}",
-        because="positive: the lag is passive",
+        because="the real part is positive, so that the lag is passive",
     )
     page.step(
         "Two lags in a chain are not passive",
         real_part(lag**2),
         (1 - omega**2) / (1 + omega**2) ** 2,
         name=r"\Re\frac{1}{(1+j\omega)^2}",
-        because="negative for $\\omega>1$: the chain is not passive",
+        because=r"the real part is negative for $\omega>1$, so that the chain is not passive",
     )
     page.step(
         "A loop of three lags with a gain of 27 is unstable",

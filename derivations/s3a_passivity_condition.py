@@ -69,7 +69,8 @@ def derive(page):
         passivity.half_late_energy(Rational(3, 2), S.One, 30),
         390 * b / T + 345 * B / T - 1605 * K / 4,
         name="E",
-        because="for that wall $-\\tfrac{147}{20}$, although (5) reads $b>\\cos\\frac\\theta2$",
+        because=r"for that wall it is $-\tfrac{147}{20}$, although (5) requires only "
+        r"$b>\cos\frac\theta2$",
     )
     _settle(page, b > brackets.subs(theta, omega * T))
 

@@ -63,9 +63,8 @@ def derive(page):
     page.lemma(
         "Every wall of the envelope leaves a margin at every angle",
         touches(),
-        because="on the same side of the tip by the order of the borders, on the other side since "
-        "it "
-        "is less stiff than the tip",
+        because="for angles on the same side of the tip this follows from the order of the "
+        "borders, and for angles on the other side from the larger stiffness of the tip",
     )
     page.say(
         "For $N>2$, that is $d>0$, the envelope from $\\theta\\to0$ to $\\pi/(d+1)$ is therefore "
@@ -92,8 +91,9 @@ def _boundary(page):
     )
     page.say(
         "Does the boundary have other walls, with more damping than the end of the line of "
-        r"$\theta\to0$? Take one with $K>0$. The ray from the origin through it lies between the "
-        "ray through that end and the ray $K=0$. The walls of (7) cover all rays in between:"
+        r"$\theta\to0$? Let a boundary wall have more damping than that end, and $K>0$. The ray "
+        "from the origin through this wall lies between the ray through the end of the line and "
+        "the ray $K=0$. The walls of (7) cover all rays in between:"
     )
     page.lemma(
         "Of the walls of (7) one lies on the ray of a wall beyond the corner",
@@ -104,12 +104,14 @@ def _boundary(page):
     page.lemma(
         "A wall of the boundary requires the same damping as the wall of (7) on its ray",
         needed_there(),
-        because="with it the wall is passive, and at this angle it requires no less",
+        because="with this damping the wall is passive, and at this angle it requires no less "
+        "damping",
     )
     above = page.lemma(
         "Above the corner each wall of the boundary is one of (7)",
         upper_boundary(others.of[1]),
-        because="by the same damping they are the same wall; with $K=0$ it is $(0,b)$",
+        because="both walls require the same damping, so that they are equal; for $K=0$ the wall "
+        "is $(0,b)$",
         boxed=True,
     )
     found = conj(
@@ -182,7 +184,7 @@ def _extent(page):
         r"Angles with $N\psi$ differing by $2\pi$ differ only in a cotangent",
         cot(psi) - cot(phi),
         sin(phi - psi) / (sin(psi) * sin(phi)),
-        because="positive for $\\psi<\\varphi<\\pi/2$: the cotangent falls",
+        because=r"the difference is positive for $\psi<\varphi<\pi/2$, since the cotangent falls",
     )
     page.say(
         r"Beyond $N\psi=\pi$: where $\sin N\psi\ge0$, the angle with $N\psi$ smaller by $2\pi$ "

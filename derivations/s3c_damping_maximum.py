@@ -54,9 +54,9 @@ def derive(page):
     )
     _ends(page, Eq(K, stiffness), Eq(B, damping), Eq(K, S.Zero, evaluate=False), Eq(B, -b))
     page.say(
-        "The frequency $\\omega=\\pi/(T(d+1))$ lies inside the open interval for $d>0$ only. "
-        "Without delay it is the Nyquist frequency itself, and the value is a limit. (The slash "
-        "in $\\pi/T(d+1)$ has to be read as dividing by the whole product.)"
+        r"The frequency $\omega=\pi/(T(d+1))$ lies inside the open interval for $d>0$ only. "
+        "Without delay it is the Nyquist frequency itself, and the value is a limit. (In "
+        r"$\pi/T(d+1)$ the denominator is the whole product.)"
     )
     page.step(
         "This is the first angle where the cosine is $-1$",

@@ -57,8 +57,8 @@ def derive(page):
         b * (cos(angle) - d / (d + 1)) / sin(angle),
         name=B,
         paper="11",
-        because="and by \\chapter{s3b_rise} the stiffness of the envelope rises up to this "
-        "frequency and falls after it, for every real $d>0$",
+        because=r"by \chapter{s3b_rise} the stiffness of the envelope rises up to this frequency "
+        "and falls beyond it, for every real $d>0$",
     )
     _stiffest(page, Eq(K, stiffness), Eq(B, damping))
     page.say("Relative to the undelayed wall, whose largest stiffness is $2b/T$:")
@@ -94,8 +94,8 @@ def _frequency(page, derived):
         found,
         derived,
         example={T: S.One, d: S.Zero, omega: pi / 2},
-        note="for $d=0$ every frequency gives this point, which is then a corner; the slash has "
-        "to be read as dividing by the whole product",
+        note="for $d=0$ every frequency gives this point, which is then a corner. The "
+        "denominator is the whole product after the slash",
     )
 
 
@@ -113,10 +113,10 @@ def _stiffest(page, *derived):
     found = page.lemma(
         "The wall of (11) is passive and has the maximum stiffness",
         stiffest_wall(*map(assume, given[-2:])),
-        because=r"by \chapter{s3b_rise} the stiffness of the envelope is smaller on either side of "
-        r"this angle. So the margin of this wall, divided by $\cos(d+1)\theta$, changes from "
-        "plus to minus there, and the margin itself is not negative. The same chapter shows it for "
-        "larger angles. With the step before no passive wall is stiffer",
+        because=r"by \chapter{s3b_rise} the stiffness of the envelope is smaller on either side "
+        r"of this angle. So the margin of this wall, divided by $\cos(d+1)\theta$, changes from "
+        "plus to minus there, and the margin itself is not negative. The same chapter shows this "
+        "for larger angles. By the previous step no passive wall is stiffer",
         boxed=True,
     )
     at_half = {d: S.Half, T: S.One, b: S.One}

@@ -26,8 +26,8 @@ def derive(page):
     page.lemma(
         "With half a period of delay the wall $K=1.17\\,b/T$, $B=0.32\\,b$ is passive",
         passive_with(Rational("1.17"), Rational("0.32")),
-        because="so the largest passive stiffness is above the curve of Fig. 5, which is at "
-        "$2\\tan\\frac\\pi6=1.1547$ there",
+        because="so the largest passive stiffness exceeds the value of Fig. 5 at this delay, "
+        r"$2\tan\frac\pi6=1.1547$",
     )
     page.figure(
         "fig5", "Fig. 5 of the paper: the largest stiffness that satisfies (5).", largest_stiffness
@@ -46,7 +46,7 @@ def _tips(page):
         found,
         example={d: S.Zero, T: S.One, b: S.One, K: S(2), B: S.Zero},
         unless={whole(d): (TIP, not_passive(then, TIP, half_late(Rational(17, 10))))},
-        shows="with a delay of half a period the wall of (11) delivers energy, and $KT/b=1.17$ can "
-        "be passive where the curve is at 1.1547",
+        shows="with a delay of half a period the wall of (11) delivers energy, and a wall with "
+        "$KT/b=1.17$ can be passive, although the curve has 1.1547 there",
         note="with the delay rounded up the curve is always safe",
     )

@@ -41,7 +41,8 @@ def derive(page):
         T * (b_D / m_D + b_H / m_H) - damper,
         T * (b_D * m_H**2 + b_H * m_D**2) / (m_D * m_H * (m_D + m_H)),
         name=r"T\Bigl(\frac{b_D}{m_D}+\frac{b_H}{m_H}\Bigr)-\delta",
-        because="zero without any damper, as the spring's is without a spring",
+        because="the difference is zero without a damper; that of the stiffness is zero without "
+        "a spring",
     )
     _bounds(page)
     page.say(

@@ -112,8 +112,7 @@ def periods(page):
     page.enclosed(
         "The ranges cover periods up to these, in milliseconds",
         [("T_{\\gamma}", sqrt(LONGEST / STIFFNESS) * 1000), ("T_{\\delta}", 20 / DAMPING)],
-        because="for slower sampling (23) excludes arms of Table II, those of largest stiffness "
-        "first",
+        because="with longer periods (23) excludes arms of Table II, the stiffest ones first",
         places=6,
     )
     others = {row.authors: Rational(row.damping) / Rational(row.mass) for row in TABLE_II}

@@ -25,7 +25,7 @@ def derive(page):
         polynomial / (z * top),
         alpha + beta * (1 - 1 / z) - q,
         name=r"\frac{p_1(z)}{zN(z)}",
-        because="vanishes: $\\alpha+\\beta(1-1/z)=Q$ with $Q=-z^dA/N$",
+        because=r"the polynomial vanishes if $\alpha+\beta(1-1/z)=Q$ with $Q=-z^dA/N$",
     )
     page.say("On the circle, $z=e^{j\\theta}$, real and imaginary part are two real equations.")
     stiffness, damping = boundary.solved(on_circle(q))
@@ -55,7 +55,7 @@ def derive(page):
         polynomial.subs(z, 1),
         1 - a + e + (n_1 + n_0) * alpha,
         name="p_1(1)",
-        because="zero for $\\alpha=-\\gamma$, as $1-a+e=\\gamma(n_1+n_0)$",
+        because=r"the value is zero for $\alpha=-\gamma$, as $1-a+e=\gamma(n_1+n_0)$",
     )
     page.step(
         "A root at $-1$ means another line, here for even delays",
@@ -212,8 +212,8 @@ def begin(page, stiffness, damping):
         up / right,
         d + half - (d + 1) * (2 * d + 1) * (2 * d + 3) / (12 * right),
         name=r"\frac{d\beta}{d\alpha}",
-        because=r"smaller for every spring and every delay; only for a free mass, $x\to1$, both "
-        "slopes are equal",
+        because="this holds for every spring and every delay; the two slopes are equal only for "
+        r"a free mass, $x\to1$",
     )
 
 

@@ -68,7 +68,8 @@ def start(page):
         d + Rational(1, 2) - short / (12 * s_2 + 12 * (d + 1) * s_1 + 6 * d * (d + 1) * gamma),
         name=SLOPE,
         boxed=True,
-        because=r"less than that of the line if $n_1\ge n_0$, $s_1\ge0$ and $s_2\ge0$",
+        because=r"this is less than the slope of the line if $n_1\ge n_0$, $s_1\ge0$ and "
+        r"$s_2\ge0$",
     )
     return (up / right).subs({nu: NU, s_1: FIRST, s_2: SECOND})
 
@@ -125,7 +126,8 @@ def gap(page):
         weighed,
         exp(-delta / 2) * waves,
         name=r"\gamma(n_1+n_0)\,g",
-        because="positive up to the limit (30), as \\chapter{s4d_explicit_boundary_signs} shows",
+        because=r"it is positive up to the limit (30), as \chapter{s4d_explicit_boundary_signs} "
+        "shows",
     )
     scaled = waves.xreplace(given).subs({delta: h * delta, c: h * c}, simultaneous=True)
     page.limit(

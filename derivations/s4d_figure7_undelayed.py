@@ -36,7 +36,7 @@ def derive(page):
     curve = page.lemma(
         "The stable walls are those above $\\beta=-1$ between a line and this curve",
         line_and_curve(),
-        because="of Jury's inequalities the two half planes follow from these",
+        because="two of Jury's inequalities, the half planes, follow from these",
     )
     page.say(
         r"Take a wall that is stable with a spring $\gamma$, and another spring $\gamma'$. Move "

@@ -56,15 +56,15 @@ def derive(page):
         (-diff(loose, beta) / diff(loose, z)).subs(beta, 0).subs(z, 1),
         -1,
         name=r"\frac{dz}{d\beta}",
-        because="from $z=1$ at $\\beta=0$; the other $d+1$ roots start at 0",
+        because=r"it starts from $z=1$ at $\beta=0$; the other $d+1$ roots start at 0",
     )
     page.step(
         "The first root near 1 moves inside",
         (-diff(polynomial, alpha) / diff(polynomial, z)).subs({alpha: 0, z: 1}),
         -1 / beta,
         name=r"\frac{dz}{d\alpha}",
-        because="from $z=1$ at $\\alpha=0$. So walls with small $\\beta$ and much smaller "
-        "$\\alpha$ are stable, and with them the whole region",
+        because=r"it starts from $z=1$ at $\alpha=0$. So walls with small $\beta$ and much "
+        r"smaller $\alpha$ are stable, and with them the whole region",
     )
     page.figure(
         "free_mass",
@@ -98,7 +98,7 @@ def necessary(page, polynomial):
         real_part(on_circle(z / (z - root))) - HALF,
         (1 - x**2 - y**2) / (2 * ((cos(theta) - x) ** 2 + (sin(theta) - y) ** 2)),
         name=r"\frac{d}{d\theta}\arg(e^{j\theta}-r)-\tfrac12",
-        because="positive for $|r|<1$",
+        because="it is positive for $|r|<1$",
     )
     page.say(
         r"With all $d+3$ roots inside, the phase of $p_1(e^{j\theta})$ grows by $(d+3)\pi$ over "

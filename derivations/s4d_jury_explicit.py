@@ -36,7 +36,7 @@ def derive(page):
     page.lemma(
         "At this stiffness the minor vanishes, with any spring",
         combined(Eq(split, 0), [assume(Eq(alpha + gamma, top / below)), -below]),
-        because="also with a spring, neither a grid nor a parameter is necessary",
+        because="so the boundary needs neither a grid nor a parameter, with a spring as well",
         boxed=True,
     )
     page.say(

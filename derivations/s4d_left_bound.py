@@ -42,7 +42,7 @@ def derive(page):
         alone.n1 + alone.n0,
         (1 - exp(-delta)) / delta,
         name=r"(n_1+n_0)\big|_{\gamma=0}",
-        because="positive too, and 1 for $\\delta\\to0$",
+        because=r"it is positive as well, and tends to 1 for $\delta\to0$",
     )
     page.say(
         r"So $\alpha>-\gamma$ is necessary for every delay and every damping. Does the region end "
@@ -67,8 +67,8 @@ def derive(page):
         diff(at_line, z).subs(z, 1),
         1 - r,
         name=r"p_1'(1)",
-        because="positive, as is $\\partial p_1/\\partial\\alpha=n_1+n_0$: the root moves inside "
-        "as $\\alpha$ grows",
+        because=r"the slope and $\partial p_1/\partial\alpha=n_1+n_0$ are positive, so that the "
+        r"root moves inside as $\alpha$ grows",
     )
     free = loop.characteristic(Parts(False, False)).subs({d: 0, alpha: 0})
     page.step(

@@ -48,13 +48,15 @@ def derive(page):
         "Three roots inside need a positive product",
         1 - names[1] + names[0] * names[2] - names[0] ** 2,
         (1 - one * two) * (1 - one * three) * (1 - two * three),
-        because="positive when all $|r_i|<1$, as non-real roots come in conjugate pairs",
+        because="the product is positive if all $|r_i|<1$, as non-real roots come in conjugate "
+        "pairs",
     )
     page.step(
         "At this wall the product is negative",
         1 - (x + Rational(3, 2)) + 2 * x - x**2,
         -((x - Rational(1, 2)) ** 2) - Rational(1, 4),
-        because="negative for every $x$: the line is no border of the region for any damping",
+        because="it is negative for every $x$, so that the line is no border of the region for "
+        "any damping",
     )
     damping = (-1 / (10 * swinging.n1)).subs(spring)
     page.lemma(

@@ -52,7 +52,7 @@ def stiffness(page):
     page.lemma(
         r"Without a spring, $\delta\le0.1$, no stable wall has this stiffness or more",
         of_masses(none_stiffer()),
-        because="for either root $w$; the positive one bounds more",
+        because="for both roots $w$; the positive one gives the stricter bound",
     )
     page.lemma(
         r"Without a spring, $\delta\le0.1$, every smaller stiffness is stable with one damping",
@@ -64,7 +64,7 @@ def stiffness(page):
         largest,
         name=r"\alpha_{\max}",
         boxed=True,
-        because="approached, and not reached, at $n_0(1+n_1\\beta)=w$",
+        because=r"the bound is approached, but not attained, at $n_0(1+n_1\beta)=w$",
     )
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     page.step(

@@ -96,7 +96,8 @@ def derive(page):
         "The critical delays are an arithmetic sequence",
         turned - (d + 2) * theta + (2 * k + 1) * pi,
         (((turned + (2 * k + 1) * pi) / theta - 2) - d) * theta,
-        because="zero for $d=(\\Phi_0+(2k+1)\\pi)/\\theta-2$ at $\\theta=\\theta_1,\\theta_2$",
+        because=r"a root is on the circle for $d=(\Phi_0+(2k+1)\pi)/\theta-2$ at "
+        r"$\theta=\theta_1,\theta_2$",
     )
     page.say(
         "For integer delays the first integer above a critical delay is the first that is "

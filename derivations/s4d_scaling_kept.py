@@ -131,9 +131,9 @@ def _changed(page):
             (r"\alpha_{\max}", value(boundary.largest_undelayed(ARM), {delta: AFTER})),
             (r"1/n_0\big|_{\delta=0.01}", value(1 / ARM.n0, {delta: AFTER})),
         ],
-        because="that is the same damper with half the period: no $\\beta$ makes the first wall's "
-        "$\\alpha$, four times its stiffness, stable, and no $\\alpha$ the second wall's $\\beta$, "
-        "twice its damping",
+        because="this is the same damper with half the period. At this period the first wall's "
+        r"$\alpha$ is four times its stiffness, and it is unstable with every $\beta$. The "
+        r"second wall's $\beta$ is twice its damping, and it is unstable with every $\alpha$",
     )
     page.lemma(
         r"For $\gamma=0$, $\delta=\frac1{100}$ all stable walls are less stiff than this",

@@ -99,6 +99,6 @@ def neglected(page):
         S.Zero,
         -T / 2,
         name=r"\frac1{s^2}(D-s)",
-        because="times $K$ and $B$ both are masses: of order $T$ beside $m$, if $K$ is of order "
-        "$1/T$ as on the border of (24)",
+        because="multiplied by $K$ and $B$, both errors act like masses. They are of order $T$ "
+        "compared with $m$ if $K$ is of order $1/T$, as on the border of (24)",
     )

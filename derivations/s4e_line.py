@@ -26,8 +26,8 @@ def derive(page):
         S.Zero,
         -(s_1 - delta - gamma / 2),
         name=r"\Delta",
-        because="not on the line but below it, by the gap $g=s_1-\\delta-\\frac12\\gamma$, for "
-        "every arm with a spring and damping",
+        because=r"the boundary starts below the line, by the gap $g=s_1-\delta-\frac12\gamma$, "
+        "for every arm with a spring and damping",
     )
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
     on = (lies + s_1 - delta - gamma / 2) / theta**2
@@ -38,8 +38,9 @@ def derive(page):
         S.Zero,
         -short / 12,
         name=r"\frac{\Delta+g}{\theta^2}",
-        because=r"negative, as $\nu\le\frac12$, $s_2>0$ and $s_1\ge\delta+\frac12\gamma$, and zero "
-        r"for $\gamma=\delta=0$ only: up to (30) the slope of every other boundary is smaller",
+        because=r"the difference is negative, as $\nu\le\frac12$, $s_2>0$ and "
+        r"$s_1\ge\delta+\frac12\gamma$. It is zero only for $\gamma=\delta=0$: up to (30) the "
+        "slope of every other boundary is smaller",
     )
     page.say(
         "So (25) is the tangent only of the boundary of the free mass. It is the limit of all "
@@ -82,7 +83,8 @@ def derive(page):
         crossing / straight,
         1 + 1 / (6 * (d + 1) ** 2),
         name=r"\alpha_\times\Big/\frac{6(d+1)\delta}{(2d+1)(2d+3)}",
-        because=r"just beyond it: 17\,\% at $d=0$, 4\,\% at $d=1$",
+        because=r"the crossing lies just beyond that end, by 17\,\% at $d=0$ and by 4\,\% at "
+        "$d=1$",
     )
     law = (d + 1) * (2 * d + 3) / 6 * (theta**2 - crossing)
     page.step(

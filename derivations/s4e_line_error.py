@@ -30,12 +30,12 @@ def derive(page):
         (lag.line(beta, delta) - alpha) / (alpha + gamma),
         linear.surplus() / ((d + HALF) * (alpha + gamma)),
         name=r"\varepsilon",
-        because="positive where the boundary lies left of the line",
+        because="it is positive where the boundary lies left of the line",
     )
     page.say(
-        r"Put $\alpha$ and $\beta$ of the explicit boundary in: this is the error as a function "
-        r"of $\theta$, for every real $d$ on the principal sheet. For integer $d$ it is a "
-        r"quotient of polynomials in $y=4\sin^2\frac\theta2$, with $|M|^2=1-\nu(1-\nu)y$:"
+        r"With $\alpha$ and $\beta$ of the explicit boundary this is the error as a function of "
+        r"$\theta$, for every real $d$ on the principal sheet. For integer $d$ it is a quotient "
+        r"of polynomials in $y=4\sin^2\frac\theta2$, with $|M|^2=1-\nu(1-\nu)y$:"
     )
     polynomials(page)
     free_mass(page)

@@ -66,7 +66,7 @@ def derive(page):
         begins.subs({gamma: 0, s_1: delta, s_2: 1}),
         -((d + 1) ** 2 * delta + 1 - 2 * nu) / ((2 * d + 1) * (1 + (d + 1) * delta)),
         name=r"\lim_{\theta\to0}\varepsilon|_{\gamma=0}",
-        because="close to $-\\frac{6(d+1)^2+1}{6(2d+1)}\\,\\delta$",
+        because=r"for small $\delta$ it is close to $-\frac{6(d+1)^2+1}{6(2d+1)}\,\delta$",
     )
     swing = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
     shape = linear.numbers(swing)

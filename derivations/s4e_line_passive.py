@@ -25,7 +25,7 @@ def derive(page):
         S.Zero,
         low,
         name="F",
-        because="positive in (9), zero on the straight part of the boundary",
+        because="it is positive in (9), and zero on the straight part of the boundary",
     )
     page.define("The delay has $d$ periods", t_d, d * T)
     page.define("The held force adds half a period to it", t_e, lag.DELAY)

@@ -44,8 +44,8 @@ def derive(page):
         1 + flat * alpha / 12,
         name=r"-\frac{\partial\beta}{\partial\delta}\Big|_\alpha",
         boxed=True,
-        because="one unit for $\\alpha\\to0$; at $\\alpha=0.01$ it is about 0.6\\,\\% more for "
-        "$d=0$ and 2\\,\\% more for $d=1$",
+        because=r"the ratio tends to 1 for $\alpha\to0$; at $\alpha=0.01$ it is about 0.6\,\% "
+        r"more for $d=0$ and 2\,\% more for $d=1$",
     )
     page.say(
         "The difference matters already where the linear condition is accurate to a few percent. "

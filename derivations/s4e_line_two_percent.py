@@ -29,7 +29,7 @@ def derive(page):
         (error() + LEVEL).subs(alpha, 0) * gamma * (d + HALF),
         beta + delta + LEVEL * (d + HALF) * gamma,
         name=r"(d+\tfrac12)\,\gamma\,(\varepsilon\big|_{\alpha=0}+0.02)",
-        because="zero for $\\beta=-\\delta-0.02\\,(d+\\frac12)\\gamma$",
+        because=r"it is zero for $\beta=-\delta-0.02\,(d+\frac12)\gamma$",
     )
     page.say(
         r"In the coordinates of \chapter{s4e_line_error_rises} it lies on the ray "

@@ -1,8 +1,8 @@
 r"""For which walls is the linear condition safe?
 
-Above its crossing with the boundary the line of (25) is unstable. Below, the line itself is stable.
-We ask whether all walls are stable that satisfy (25) and have no more damping than the crossing,
-inside the ranges (23).
+Above its crossing with the boundary the walls on the line of (25) are unstable, and below it they
+are stable. We ask whether every wall that satisfies (25) and has no more damping than the crossing
+is stable, inside the ranges (23).
 """
 
 from symhaptic.book.lemmas.line_crossing import below_the_crossing
@@ -18,8 +18,8 @@ def derive(page):
         (d + Rational(1, 2)) * flat * delta / rise - delta,
         (2 * d**2 + 2 * d + 1) * delta / (2 * (d + 1) * (2 * d + 3)),
         name=r"\beta_\times",
-        because="from $\\alpha_\\times$ found before: a sixth of $\\delta$ for $d=0$, a quarter "
-        "for $d=1$, nearly half for long delays",
+        because=r"this follows from $\alpha_\times$ found before: a sixth of $\delta$ for $d=0$, "
+        "a quarter for $d=1$, nearly half for long delays",
     )
     page.say(
         r"The walls with (25), $\alpha>-\gamma$ and $\beta\le\beta_\times$ are a triangle. For "

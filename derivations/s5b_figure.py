@@ -61,8 +61,8 @@ def derive(page):
         S.Zero,
         (delta * (exp(delta) + 1) - 2 * (exp(delta) - 1)) / (2 * delta**2 * (exp(delta) - 1)),
         name=r"\frac1{\theta^2}\Bigl(\frac{\alpha}{2\delta\tan\frac\theta2}-1\Bigr)",
-        because="about $\\tfrac1{12}$: where the tip of the stable region has just this angle, the "
-        "ratio $\\eta$ is about $1-\\theta^2/12$",
+        because=r"the limit is about $\tfrac1{12}$: if the tip of the stable region has exactly "
+        r"this angle, the ratio $\eta$ is about $1-\theta^2/12$",
     )
     page.say(
         "So they are never equal. The passive wall of maximum stiffness is stable, and so is a "

@@ -31,7 +31,7 @@ def derive(page):
         b + B * cos((d + 1) * theta),
         (b + B) * (1 + cos((d + 1) * theta)) / 2 + (b - B) * (1 - cos((d + 1) * theta)) / 2,
         name="F(0,B)",
-        because="not negative, since a passive wall has $-b\\le B\\le b$",
+        because=r"this holds since a passive wall has $-b\le B\le b$",
     )
     page.same("softer", softer, margin.subs(K, y * K))
     page.same("ends", without, margin.subs(K, 0))
@@ -43,7 +43,7 @@ def derive(page):
     page.lemma(
         "With less stiffness the margin stays at every angle",
         stays_passive(),
-        because="at $\\theta\\to0$ and $\\theta=\\pi/(d+1)$ it says that $|\\beta|\\le\\delta$",
+        because=r"at $\theta\to0$ and $\theta=\pi/(d+1)$ the condition is $|\beta|\le\delta$",
     )
     page.say(
         "For other walls it is false: the virtual damping alone may be unstable with the delay. "

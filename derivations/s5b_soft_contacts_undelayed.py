@@ -33,7 +33,7 @@ def derive(page):
         second,
         2 * RISE * (beta + s_1) + (n_1 - n_0) * (alpha + gamma),
         name=r"c_1(\alpha)",
-        because="positive for $\\alpha>-\\gamma$ if $\\beta>-s_1$",
+        because=r"the left side is positive for $\alpha>-\gamma$ if $\beta>-s_1$",
     )
     page.step(
         "The third inequality decreases with the stiffness",
@@ -46,7 +46,7 @@ def derive(page):
         minor,
         RISE * (1 - n_0 * beta) * (beta + s_1) - n_0 * (1 + n_1 * beta) * (alpha + gamma),
         name=r"\Delta_2",
-        because="falls with $\\alpha$; and positive, it needs $\\beta>-s_1$",
+        because=r"the minor falls with $\alpha$, and is positive only for $\beta>-s_1$",
     )
     page.lemma(r"A device with $\omega_dT<\pi$ has $n_0\le n_1$", pushed()[2])
     page.say(

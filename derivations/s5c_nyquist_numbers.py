@@ -67,7 +67,7 @@ def marginal(page, spring):
         r"The contribution of the damping depends only on $\delta$",
         b**2 / (4 * m) / (pi**2 * m / T**2),
         delta**2 / (4 * pi**2),
-        because="of the stiffness without damping, for every device",
+        because="this is the ratio to the stiffness without damping, for every device",
     )
     then = taken_apart(page.claim("s5c-marginal-b"))[2]
     small, rounds = then.of

@@ -45,8 +45,8 @@ def derive(page):
         "$\\alpha+2\\beta=0$",
     )
     page.say(
-        "The loop is limit stable where the other zeros lie inside and $-1$ is a simple one. "
-        "Without delay the other factor is of second order:"
+        "The loop is limit stable if $-1$ is a simple zero and all other zeros lie inside the "
+        "unit circle. Without delay the other factor is of second order:"
     )
     page.lemma(
         "For $d=0$ the other zeros lie inside exactly for a triangle of walls",

@@ -51,7 +51,8 @@ def derive(page):
         f"With $\\gamma={float(softest(1, DAMPED))}$ no wall from $\\alpha={float(limit)}$ on is "
         "stable for $d=1$",
         bound,
-        because="by one point of the circle (\\chapter{s5b_stiffest_wall})",
+        because="this follows from the inequality at one point of the circle "
+        r"(\chapter{s5b_stiffest_wall})",
     )
     rows = [[n, *ends] for n, ends in CONSERVATIVE.items()]
     rows += [[n, "1", end] for n, end in AT_MOST.items()]

@@ -1,7 +1,7 @@
 r"""What is the stability boundary for a fractional delay?
 
-The sampled device of \chapter{s6a_fractional_plant} has one more coefficient. We derive again the
-polynomial, its roots at 1 and $-1$, and the explicit boundary.
+The sampled device of \chapter{s6a_fractional_plant} has one more coefficient. We derive the
+polynomial, its roots at 1 and $-1$, and the explicit boundary for this device.
 """
 
 from symhaptic.book.lemmas.late_boundary import boundary_is_explicit, late_boundary
@@ -26,7 +26,8 @@ def derive(page):
         (1 + top / (z * bottom) * z ** (-l) * push / z) * z ** (l + 2) * bottom,
         z ** (l + 2) * bottom + top * push,
         name="p_1(z)",
-        because=r"of degree $\ell+4$ and monic: one more root than for the integer delay $\ell$",
+        because=r"it is monic and of degree $\ell+4$: it has one more root than for the integer "
+        r"delay $\ell$",
     )
     device = fractional.late(plant.normalised(FULL), split=c)
     numbers = {m_2: device.m2, m_1: device.m1, m_0: device.m0}
@@ -59,7 +60,7 @@ def derive(page):
         polynomial / (z * top),
         alpha + beta * (1 - 1 / z) - q,
         name=r"\frac{p_1(z)}{zM(z)}",
-        because="vanishes: $\\alpha+\\beta(1-1/z)=Q$ with $Q=-z^{\\ell+1}A/M$",
+        because=r"the polynomial vanishes if $\alpha+\beta(1-1/z)=Q$ with $Q=-z^{\ell+1}A/M$",
     )
     turned = on_circle(q)
     real = real_part(turned)

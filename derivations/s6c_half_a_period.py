@@ -53,14 +53,14 @@ def derive(page):
         ratio.subs(half),
         2 * c / (1 + c**2),
         name="Q/Q_p",
-        because="positive, and less than 1 as $(1-\\cos\\frac\\theta2)^2>0$",
+        because=r"the ratio is positive, and less than 1 as $(1-\cos\frac\theta2)^2>0$",
     )
     page.step(
         "With a delay of half a period both have the same phase",
         on_circle(printed.subs(half)) * exp(-I * (l + 1) * theta),
         4 * sin(theta / 2) ** 2 / c,
         name=r"Q_p\,e^{-j(\ell+1)\theta}",
-        because="positive, so that both have the phase $(\\ell+1)\\theta$",
+        because=r"it is positive, so that both have the phase $(\ell+1)\theta$",
     )
     page.step(
         "The two boundaries are farthest apart at $\\ell=0$, $\\theta=\\frac\\pi3$",
@@ -85,17 +85,18 @@ def derive(page):
         on_circle(sqrt(z) * theirs - polynomial),
         on_circle(-late * wall),
         name=r"\zeta\,p_p(\zeta)-p_1(\zeta^2)\big|_{\zeta=e^{j\theta/2}}",
-        because="that is $-\\tfrac18(\\zeta-1)^4\\bigl((\\alpha+\\beta)\\zeta^2-\\beta\\bigr)$; "
-        "take the share $q$ of this term, from 0 to 1; without it no root of a stable loop has "
-        "$|\\zeta|\\ge1$",
+        because=r"that is $-\tfrac18(\zeta-1)^4\bigl((\alpha+\beta)\zeta^2-\beta\bigr)$; the "
+        "proof multiplies this term by $q$, from 0 to 1; for $q=0$ no root of a stable loop has "
+        r"$|\zeta|\ge1$",
     )
     page.step(
         "On the circle the term reduces the wall slightly",
         on_circle((free.numerator.subs(half) - q * late) / z),
         (1 + c**2) / 2 - q * (1 - c) ** 2 / 2,
         name=r"\frac{1}{z}\Bigl(M-\frac{q}{8}(\zeta-1)^4\Bigr)",
-        because="real: a root there is one of the exact loop with a wall $yW$, "
-        r"$W=\alpha+\beta(1-1/z)$ and $1-y=q(1-\cos\frac\theta2)^2/(1+\cos^2\frac\theta2)$",
+        because="the factor is real, so that a root there is a root of the exact loop with a "
+        r"wall $yW$, $W=\alpha+\beta(1-1/z)$ and "
+        r"$1-y=q(1-\cos\frac\theta2)^2/(1+\cos^2\frac\theta2)$",
     )
     page.say(
         "This is impossible if the wall $W$ itself is stable. The phase of a polynomial of "

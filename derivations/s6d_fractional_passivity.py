@@ -39,7 +39,8 @@ def derive(page):
         "The sample is taken between two integer delays",
         1 / (z - 1) + rest,
         rest * z / (z - 1) + epsilon / (z - 1),
-        because="of $\\ell$ and $\\ell+1$ periods, weighted by $1-\\varepsilon$ and $\\varepsilon$",
+        because=r"the delays are $\ell$ and $\ell+1$ periods, with the weights $1-\varepsilon$ "
+        r"and $\varepsilon$",
     )
     form = fractional.energy_form()
     straight = page.step(
@@ -110,9 +111,8 @@ def derive(page):
         need_**2 - need_ * r * x * cos(phi) - (1 - x**2) * r**2 / 4,
         r**2 * x * (1 + x) * (1 - cos(phi)) / 2,
         name=r"\frac{1}{b^2}\Bigl(b(b-n)-\ldots\Bigr)",
-        because=r"never negative, and zero in phase, $\varphi=0$: angles beyond the first such "
-        r"angle "
-        "require no more",
+        because=r"the difference is never negative, and zero for $\varphi=0$. Angles beyond the "
+        "first such angle therefore require no more damping",
     )
     for title, end, delay in (
         ("Without a fraction it is the condition of the delay $\\ell$", 0, l),

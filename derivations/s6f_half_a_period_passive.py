@@ -36,7 +36,7 @@ def derive(page):
         value.subs({y: 1, K: 4 * sqrt(5 + B) - 8}),
         S.Zero,
         name=r"f(1)\big|_{K=4\sqrt{5+B}-8}",
-        because="the lower part of the boundary, where the paper gives $K=1+B$",
+        because="this is the lower part of the boundary; the paper gives $K=1+B$ instead",
     )
     bend, fall, rest = (expand(value).coeff(y, n) for n in (2, 1, 0))
     double = page.step(
@@ -44,8 +44,8 @@ def derive(page):
         16 * (fall**2 - 4 * bend * rest),
         (K * (B + 4) + B * (B + 12)) ** 2 - 16 * B * (16 - B**2),
         name=r"16\,(f_1^2-4f_0f_2)",
-        because="zero on the upper part of the boundary, an explicit curve: "
-        "$K=4\\sqrt{B(4-B)/(4+B)}-B(B+12)/(B+4)$",
+        because="it is zero on the upper part of the boundary, which is the explicit curve "
+        r"$K=4\sqrt{B(4-B)/(4+B)}-B(B+12)/(B+4)$",
     )
     end = page.step(
         "The upper part ends at a zero of a cubic",
@@ -58,22 +58,25 @@ def derive(page):
         -discriminant(expand(double), B) / 2**22,
         K**6 + 24 * K**5 - 16 * K**4 - 2816 * K**3 + 73472 * K**2 + 694272 * K - 913408,
         name=r"-2^{-22}\,\mathrm{disc}_B\,\bigl(16\,(f_1^2-4f_0f_2)\bigr)",
-        because="the discriminant in $B$ of the one before: zero where two values of $B$ fall "
-        "together",
+        because="this is the discriminant in $B$ of the previous polynomial; it vanishes where "
+        "two values of $B$ coincide",
     )
     one, two = S.One, Rational(2)
     zeros = ((B, root(end, one, two)), (K, root(tip, one, two)))
     page.enclosed(
-        "Both zeros are enclosed", zeros, places=12, because="the second one is examined as a bound"
+        "Both zeros are enclosed",
+        zeros,
+        places=12,
+        because="the next step proves that the second one bounds the stiffness",
     )
     found = page.lemma(
         "No passive wall is stiffer than $1.175870\\,b/T$",
         stiffest_half_late(),
-        because="for the first wall $f_2=4B>0$ and $f_1^2-4f_0f_2<0$ by the formula of the third "
-        "step, so that $f$ is a sum of squares. Of a wall with $K\\ge1.17587$ it is negative at "
-        "$\\tan\\frac\\theta2=0.5283$, $y=0.781799$: for the best $B$ it is "
-        "$1-Ky-\\frac1{16}K^2+(4y^2-3y-\\frac14K(1-y))^2/(1-y)$, which falls with $K$ and is "
-        "$-8.8\\cdot10^{-7}$ at the first",
+        because="the first wall has $f_2=4B>0$ and, by the formula of the third step, "
+        r"$f_1^2-4f_0f_2<0$, so that $f$ is a sum of squares. For a wall with $K\ge1.17587$, $f$ "
+        r"is negative at $\tan\frac\theta2=0.5283$, $y=0.781799$. For the best $B$ its value "
+        r"there is $1-Ky-\frac1{16}K^2+(4y^2-3y-\frac14K(1-y))^2/(1-y)$, which falls with $K$ "
+        r"and is $-8.8\cdot10^{-7}$ at $K=1.17587$",
         boxed=True,
     )
     page.say(

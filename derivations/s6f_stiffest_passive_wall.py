@@ -38,8 +38,8 @@ def derive(page):
         4 * SHARE * sin(HALF) ** 2 * fractional.margin(),
         b**2 - across**2 - along**2,
         name=r"4\kappa\sin^2\psi\,\Bigl(b(b-n)-\tfrac\kappa4T^2|H|^2\Bigr)",
-        because="of $KT\\cos\\psi$ and $(KT+2B)\\sin\\psi$, with the radius "
-        "$b/(\\kappa\\sin\\psi)$; a passive wall lies in the circles of all angles",
+        because=r"the coordinates are $KT\cos\psi$ and $(KT+2B)\sin\psi$, and the radius is "
+        r"$b/(\kappa\sin\psi)$. A passive wall lies inside the circles of all angles",
     )
     found = page.lemma(
         "No passive wall is stiffer than the stiffest wall of a circle",

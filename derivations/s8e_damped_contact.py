@@ -32,7 +32,8 @@ def derive(page):
         "With consistent units the rule allows too much",
         2 * B / T - B**2 / (2 * m) - right.rhs,
         B**2 * (6 * m - B * T) / (2 * m * (2 * m + B * T)),
-        because="positive for $BT<4m$, which is the range in which the rule allows any stiffness",
+        because="the difference is positive for $BT<4m$, the range in which the rule allows any "
+        "stiffness",
     )
     driven = {alpha: S.One, beta: S.One, gamma: S.Zero, delta: S.Zero, d: S.Zero}
     page.lemma("The wall $K=B=1$ of $m=T=1$ has a root outside the circle", outside(driven))

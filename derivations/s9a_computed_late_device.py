@@ -69,8 +69,8 @@ def derive(page):
     page.say(
         "For any delay, roots are counted from the angles at which device and wall have the same "
         r"size; these do not depend on the delay, see \chapter{s4d_roots_counted}. The inputs of "
-        "the count are proved here. The count itself is an algorithm, which is tested against "
-        "enclosed roots."
+        "the count are proved here. The count itself is computed by an algorithm. Tests compare "
+        "its result with enclosed roots."
     )
     settle(
         page,

@@ -1,4 +1,4 @@
-"""Does the search for the stable wall of maximum stiffness go by the slope that is derived?
+"""Does the search for the stable wall of maximum stiffness use the derived slope?
 
 On the explicit boundary the stiffness rises from the origin to a maximum. The search uses the sign
 of the derivative, which is computed as a sum of products.

@@ -92,10 +92,10 @@ def _at_an_angle(page):
 
 def _at_the_worst(page):
     page.say(
-        r"The worst angle is searched for, up to the angle 0, with $\psi=\theta/2$. There the "
-        "required damping for $q=0$ is a quotient of two Sinc, and its derivative with respect "
-        r"to $\psi$ is $\psi$ times a number that does not vanish with the angle, so that its "
-        "sign is computed accurately near 0, too:"
+        r"The worst angle is searched for, up to the angle 0, with $\psi=\theta/2$. The required "
+        "damping for $q=0$ contains a quotient of two Sinc. Its derivative with respect to "
+        r"$\psi$ is $\psi$ times a number that does not vanish with the angle. So the sign of "
+        "the derivative is computed accurately near 0 as well:"
     )
     whole = straight(l)
     page.step(

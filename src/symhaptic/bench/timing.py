@@ -11,8 +11,8 @@ LEAST = 0.02
 ROUNDS = 5
 
 METHOD = (
-    f"Each call is repeated until a round lasts {1000 * LEAST:.0f} ms; the time is the least of up "
-    f"to {ROUNDS} rounds, in seconds of the processor, divided by calls and elements."
+    f"Each call is repeated until a round lasts {1000 * LEAST:.0f} ms. The time is the shortest of "
+    f"up to {ROUNDS} rounds, in CPU seconds, divided by the number of calls and elements."
 )
 
 

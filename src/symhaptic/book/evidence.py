@@ -1,6 +1,6 @@
-r"""What a theorem's numbers are, so that they can be done again with a calculator.
+r"""The numbers behind a theorem, so that a reader can check them with a calculator.
 
-A theorem that rests on the zeros of a polynomial in numbers shows the polynomial,
+A theorem that rests on the zeros of a numerical polynomial shows the polynomial,
 :math:`p(z)=z^n+c_1z^{n-1}+\ldots`, and the zero that decides.
 """
 
@@ -22,14 +22,14 @@ DEGREE = 5
 """Polynomials of a higher degree are too long for a line."""
 
 MOST = 3
-"""More polynomials than these are only counted."""
+"""If there are more polynomials than this, only their number is given."""
 
 _BITS = 256
 _NOTHING = Decimal("1e-30")
 
 
 def leaves(theorem: Theorem, shown: Mapping[Said, Shown], rules: frozenset[str]) -> list[Theorem]:
-    """The leaves of these kinds that a theorem rests on, not behind others on the page."""
+    """The basic steps of these kinds that a theorem uses, except through other theorems shown."""
     own, seen, found, stack = said(theorem), set(), [], [theorem]
     while stack:
         one = stack.pop()
@@ -47,13 +47,13 @@ def evidence(theorem: Theorem, shown: Mapping[Said, Shown]) -> str:
     roots = leaves(theorem, shown, frozenset({"roots_inside", "root_outside"}))
     told = list(dict.fromkeys(_zeros(*_polynomial(leaf)) for leaf in reversed(roots)))
     if len(told) > MOST:
-        told = [f"the zeros of {len(told)} polynomials in numbers are enclosed"]
+        told = [f"the zeros of {len(told)} numerical polynomials are enclosed"]
     boxes = leaves(theorem, shown, frozenset({"on_box", "on_plants", "more_damped"}))
     pieces = [leaf.given[0].pieces for leaf in boxes]
     if pieces:
         functions = "a function is" if len(pieces) == 1 else f"{len(pieces)} functions are"
         cut = "one piece" if sum(pieces) == 1 else f"{sum(pieces)} pieces"
-        told.append(f"{functions} positive on a box, by balls on {cut}")
+        told.append(f"{functions} positive on a box, by ball arithmetic on {cut}")
     return "; ".join(told)
 
 
@@ -124,7 +124,7 @@ def _complex(zero: acb) -> str:
 
 
 def _size(zero: acb) -> str:
-    """Its modulus, with digits enough to tell it from 1."""
+    """Its modulus, with enough digits to distinguish it from 1."""
     size = abs(zero)
     for digits in range(8, 60, 2):
         text = _decimal(size, digits)
@@ -134,7 +134,7 @@ def _size(zero: acb) -> str:
 
 
 def _decimal(value: arb, digits: int = 10) -> str:
-    """Rounded to this many digits, without idle zeros; nothing else is that small but zero."""
+    """The value in this many digits, without trailing zeros; a tiny value is zero."""
     text = format(Decimal(value.mid().str(digits, radius=False)), "f")
     if abs(Decimal(text)) < _NOTHING:
         return "0"

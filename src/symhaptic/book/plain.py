@@ -37,7 +37,7 @@ _FUNCTIONS = {
 }
 _GREEK = (
     *("alpha", "beta", "gamma", "delta", "epsilon", "theta", "omega", "pi", "sigma"),
-    *("Phi", "Gamma"),
+    *("Phi", "Gamma", "Delta"),
 )
 _NO_ARTICLE_BEFORE = ("and", "or", "is", "be", "adds")
 """Words before which a letter is no article."""

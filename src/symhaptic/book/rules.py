@@ -14,34 +14,80 @@ from symhaptic.proof.theorems.derivation import sources
 from symhaptic.proof.theorems.kernel import MODULES
 
 NAMES: Mapping[str, str] = {
+    "Abs": "sign of the absolute value",
     "above_its_start": "one-sided limits",
+    "after_a_blow": "impulse response",
     "all_inside": "roots of a product",
+    "amplified": "linearity",
+    "atan rises": "monotone arctangent",
+    "both ways": "antisymmetry",
+    "cos": "sign of the cosine",
+    "cos bounded": "bound of the cosine",
+    "cos falls": "monotone cosine",
+    "cosh": "bound of cosh",
     "degree": "degree",
+    "device": "sampled device",
+    "device at rest": "static displacement",
+    "device forgets": "decay of a damped device",
+    "device pushed": "direction of a held force",
+    "device turns": "device below the Nyquist frequency",
+    "device's loss": "determinant of the device",
     "dissipates": "storage function",
+    "equality": "equal or different",
+    "exp": "sign of the exponential",
+    "exp rises": "monotone exponential",
     "filtered": "Toeplitz forms of a filter",
-    "from_there_on": "monotony",
+    "first_minors": "Hurwitz' minors",
+    "free late mass": "free mass with a fractional delay",
+    "full turns": "period of sine and cosine",
+    "held by a pole": "a pole outside",
     "held_answer": "motion under a held force",
-    "held_by_a_pole": "a pole outside",
-    "held_steady_state": "held steady state",
-    "increases": "sign of the derivative",
+    "hurwitz": "Hurwitz' criterion",
     "in_the_limit": "limits of inequalities",
-    "in_units": "change of units",
+    "increases": "sign of the derivative",
     "induction": "induction",
     "jury": "Jury's criterion",
     "last_coefficient": "Vieta's product of roots",
+    "late device": "device with a fractional delay",
+    "late device and device": "fractional and integer delays",
+    "late held steady state": "steady state with a fractional delay",
+    "later": "shift by whole periods",
     "linear": "root of a linear factor",
+    "loop of a late device": "loop with a fractional delay",
     "no_other_limit": "uniqueness of limits",
     "none_enters": "continuity of roots to the right",
-    "not_of_degree": "degree, denied",
+    "not negative": "whole numbers",
+    "not_of_degree": "no such degree",
+    "one_answer": "unique response",
+    "opposite": "mirrored roots",
+    "opposite size": "absolute value of a negative number",
+    "order": "total order",
+    "outpaces": "phase rate of a polynomial",
+    "passive late wall": "passive wall with a fractional delay",
+    "polar": "polar coordinates",
     "pole_at": "pole at a point",
+    "quotient": "sign of a quotient",
+    "rest": "division with remainder",
     "roots_stay": "continuity of roots",
+    "sin": "sign of the sine",
+    "sin bounded": "bound of the sine",
+    "sin rises": "monotone sine",
+    "sinh rises": "monotone hyperbolic sine",
+    "size": "absolute value",
+    "sqrt": "sign of the square root",
+    "square": "sign of a square",
     "stored": "stored energy",
-    "swing_gains": "repeated swing",
+    "strictly": "strict order",
+    "swing_gains": "repeated motion",
+    "swings": "natural frequency",
     "toeplitz": "Toeplitz forms",
-    "zero_beyond": "a root at 1 or beyond",
+    "turns": "a force without response",
+    "undamped late device": "undamped device with a fractional delay",
+    "units": "change of units",
+    "weak quotient": "weak sign of a quotient",
     "zero_on_circle": "a root on the circle",
 }
-"""Short names of classical rules; others are called by what their source calls them."""
+"""Names of classical rules and axioms in a sentence; others have the name of their source."""
 
 
 def _modules() -> dict[str, ModuleType]:
@@ -85,7 +131,7 @@ def says(rule: str) -> str:
     """What a rule says, hypotheses and all: its docstring without names of arguments and examples.
 
     >>> says("zero_on_circle")
-    'p(exp(j theta)) = 0 for a real theta gives that not all zeros lie inside.'
+    'If p(exp(j theta)) = 0 for a real theta, not all zeros lie inside the unit circle.'
     """
     found = next((f for m in _modules().values() if (f := vars(m).get(rule)) is not None), None)
     told = (inspect.getdoc(found) or "").partition(">>>")[0]

@@ -31,8 +31,8 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
         r"\allowbreak\ \text{{beside a loss of}}\ {1}\allowbreak\ "
         r"\text{{per squared displacement}}",
         "$\\sum_k(cp_k^2+p_k(Hx)_k)\\ge0$ for any finite sequence of displacements "
-        "$p_k=x_{k+1}-x_k$ from rest at $x=0$, of which a damper dissipates $cp_k^2$ and which "
-        "work against the force $(Hx)_k=h_0x_k+h_1x_{k-1}+\\ldots$",
+        "$p_k=x_{k+1}-x_k$ from rest at $x=0$; for each, a damper dissipates $cp_k^2$, and the "
+        "motion works against the force $(Hx)_k=h_0x_k+h_1x_{k-1}+\\ldots$",
     ),
     "passive_wall": (
         *(0, 5),
@@ -43,15 +43,16 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     "passive_device": (
         *(1, 6),
         r"\mathrm{{passive}}({1},{2},{3},{4},{5};\ E({s})={0})",
-        "the hand that moves a device from rest, $v=0$, does no negative work against its store "
-        "$E$ of the speed $v$ at the end, here that of a mass, its damping $b$ and the same wall",
+        "the work that moves a device from rest, $v=0$, is never negative; it is the stored energy "
+        "$E$ at the final speed $v$, here that of a mass, plus the energy that the damping $b$ and "
+        "the same wall absorb",
     ),
     "passive_counted": (
         *(1, 5),
         r"\text{{no motion gains energy from}}\allowbreak\ F({s})={0}"
         r"\allowbreak\ \text{{beside}}\ ({1},{2}),\allowbreak\ "
         r"\text{{sampled every}}\ {3}\ \text{{in counts of}}\ {4}",
-        "whatever the motion from rest at $x=0$, $\\sum_kF(y_k)p_k+\\int(bv^2+f_c|v|)\\,dt\\ge0$ "
+        "for every motion from rest at $x=0$, $\\sum_kF(y_k)p_k+\\int(bv^2+f_c|v|)\\,dt\\ge0$ "
         "at its end; $p_k$ is the displacement in period $k$, and $y_k$ a multiple of $\\Delta$ "
         "nearest to the position at its start, whose force $F$ is held for the period $T$",
     ),
@@ -64,10 +65,10 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     "stable_substituted": (
         *(0, 5),
         r"\mathrm{{stable}}_{{(18)}}({0},{1},{2},{3},{4})",
-        "as the paper has it: every zero of the characteristic polynomial (18), that is of "
+        "in the paper's reading: every zero of the characteristic polynomial (18), that is, of "
         "$z^{d+1}(z^2-az+e)+(n_1z+n_0)((\\alpha+\\beta)z-\\beta)$ with the numbers of the device "
-        "$(\\gamma,\\delta)$, lies inside the unit circle; for a delay of $d=p/q$ periods every "
-        "zero of the polynomial in $w$ that $z=w^q$ makes of it",
+        "$(\\gamma,\\delta)$, lies inside the unit circle; for a delay of $d=p/q$ periods, every "
+        "zero of the polynomial in $w$ after the substitution $z=w^q$ does",
     ),
     "stable_principal": (
         *(0, 5),
@@ -78,8 +79,8 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     "pole": (
         *(0, 6),
         r"{5}\ \text{{is a pole of}}\ p_{{(18)}}({0},{1},{2},{3},{4})",
-        "as the paper has it: $z$ is a zero of the characteristic polynomial, for a delay of "
-        "$d=p/q$ periods $z=w^q$ with a zero $w$ of the polynomial in $w$ that $z=w^q$ makes",
+        "in the paper's reading: $z$ is a zero of the characteristic polynomial; for a delay of "
+        "$d=p/q$ periods, $z=w^q$ with a zero $w$ of the polynomial after this substitution",
     ),
     "swings": (
         *(0, 4),
@@ -89,16 +90,16 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     "degree": (
         *(1, 2),
         r"{0}\ \text{{has degree }}{1}\text{{ in }}{s}",
-        "of the powers in the polynomial $p$ whose coefficient is not zero, $n$ is the highest",
+        "$n$ is the highest power in the polynomial $p$ whose coefficient is not zero",
     ),
     "answers": (
         *(1, 4),
         r"{0}\ \text{{answers }}{1:base}^k\text{{, held every }}{3}"
         r"\text{{, by }}{2:factor}\,{1:base}^k",
         "a force $z^k$ that is held during period $k$, of length $T$, acts through a device with "
-        "the transfer function $P$; of the motions that turn by $z$ from period to period there is "
-        "just one, and its position at sample $k$ is $Xz^k$, for all $k$, negative ones included "
-        "($P$, $z$, $X$ and $T$ have values)",
+        "the transfer function $P$; exactly one motion is multiplied by $z$ in each period, and "
+        "its position at sample $k$ is $Xz^k$, for all $k$, negative ones included ($P$, $z$, $X$ "
+        "and $T$ have values)",
     ),
     "device": (
         *(0, 6),
@@ -126,7 +127,7 @@ A term has brackets where it is not one, or no factor, or no base of a power, as
 JUDGING = frozenset(
     name for name in MEANINGS if name.startswith(("stable", "passive")) or name == "hurwitz"
 )
-"""Those that judge a wall, a loop or a polynomial, and of which a print may be a condition."""
+"""Those that judge a wall, a loop or a polynomial; a published formula may be their condition."""
 
 TERMS: dict[str, tuple[str, ...]] = {
     "whole": ("n",),
@@ -148,4 +149,4 @@ TERMS: dict[str, tuple[str, ...]] = {
     "device": (r"\gamma", r"\delta", "n_1", "n_0", "a", "e"),
     "late_device": (r"\gamma", r"\delta", "u", "m_2", "m_1", "m_0", "a", "e"),
 }
-"""LaTeX of the terms with which the meaning of a predicate is told."""
+"""LaTeX of the terms in the meaning of a predicate."""

@@ -37,9 +37,9 @@ class Outcome:
     open: dict[str, str] = field(default_factory=dict)
     """The leaves that are not checked, and why."""
     leaves: bool = False
-    """Whether its leaves alone were asked, and not how they are joined."""
+    """Whether only the basic steps were sent to Rocq, without the steps that join them."""
     seconds: float = 0.0
-    """So long it took to run, print and compile it."""
+    """The time to run, print and compile it."""
     kept: bool = False
     """Whether it was known from before."""
     text: str = ""
@@ -77,12 +77,14 @@ def of_file(file: File, chapter: Chapter, said: dict[str, str], leaves: bool = F
 
 
 def unasked(file: File) -> dict[str, str]:
-    """What is said of statements where leaves alone were asked: how much is left of each."""
+    """The report on statements of which only the basic steps were checked: what is left of each."""
     if not any(step.rule in ALONE for step in file.steps):
-        return dict.fromkeys(file.statements, "not asked: each step of its chapter uses others")
+        why = "not asked: no step of its chapter can be checked by itself"
+        return dict.fromkeys(file.statements, why)
     others = {step.name for step in file.steps if step.rule not in ALONE or is_open(step.name)}
     left = {id: len(file.named_by(id) & others) for id in file.statements}
-    return {id: f"{n} steps open: its chapter's leaves alone were asked" for id, n in left.items()}
+    why = "only the basic steps of its chapter are checked"
+    return {id: f"{n} steps open: {why}" for id, n in left.items()}
 
 
 def marked(outcome: Outcome, chapter: Chapter, text: str) -> Outcome:

@@ -27,68 +27,71 @@ def measurement(path: Path) -> section | None:
     return tree.section(
         "Speed against error",
         _prose(
-            "All before this section is proved; what follows is measured: what a formula costs, "
-            "how many digits it gives, and what another way costs or loses. Times depend on the "
-            "machine and on what else it does; compare those of one table with each other. "
-            r"\texttt{symhaptic bench} measures again."
+            "Everything before this section is proved. This section is measured: the cost of each "
+            "formula, the number of correct digits, and the cost and the errors of alternatives. "
+            "Times depend on the machine and its load; compare only times of one table. "
+            r"\texttt{symhaptic bench} repeats the measurement."
         ),
         tree.paragraph(about(record), " ", record["method"]),
         *calls,
         *judges,
         tree.rubric("Formulas"),
         _prose(
-            r"As printed, (14) and (18) are $0/0$ for $\gamma=0$ and at critical damping, and "
-            r"inside the paper's own range (23), where $\gamma$ and $\delta$ are small, their "
-            f"differences lose digits; more digits move the loss and leave the $0/0$. "
-            f"{says['formulas']} In single precision an angle behind a delay of many thousand "
-            r"periods has no digits to keep. \emph{Package} is what the package itself computes "
-            "with on arrays, its checks of the arguments included: kernels that the exporter "
-            r"wrote. \emph{C} is the exported code."
+            r"As published, (14) and (18) are $0/0$ for $\gamma=0$ and at critical damping. Inside "
+            r"the paper's range (23), where $\gamma$ and $\delta$ are small, their differences "
+            "lose digits. A higher precision reduces this loss, but not the $0/0$. "
+            f"{says['formulas']} In single precision an angle has no correct digits after a delay "
+            r"of many thousand periods. \emph{Package} is the package's code for arrays, "
+            "including its checks of the arguments: kernels that the exporter generated. "
+            r"\emph{C} is the exported code."
         ),
         *floats,
         *digits,
         tree.figure("bench_functions", "", tree.words(
-            "Worst error over time per evaluation, with a bar down to the median: dots are double "
-            "precision, triangles single, diamonds 30 and 50 digits, squares balls of 53 and 128 "
-            "bits, whose error is their radius. Grey lines are the last places of these "
-            "precisions. An error larger than the largest term is drawn at the top, one below "
-            "$10^{-55}$ at the bottom; NaN is the share of points without a number. Derived forms "
-            "are shown in double precision only."
+            "Worst error over time per evaluation; a bar ends at the median error. Dots are double "
+            "precision, triangles single precision, and diamonds 30 and 50 digits. Squares are "
+            "balls of 53 and 128 bits, whose error is their radius. Grey lines are the last "
+            "places of these precisions. An error larger than the largest term is drawn at the "
+            "top, and an error below $10^{-55}$ at the bottom; NaN is the share of points without "
+            "a number. Derived forms are shown in double precision only."
         )),
         tree.rubric("The boundary of stability"),
         _prose(
-            "The paper's grid and bisections along rays pay for each digit and for each period of "
-            "delay; the explicit form is one evaluation, whatever the delay. " + says["boundary"]
+            "The cost of the paper's grid and of bisections along rays grows with each digit and "
+            "each period of delay. The explicit form is one evaluation for every delay. "
+            + says["boundary"]
         ),
         tree.figure("bench_boundary", "", tree.words(
-            "Largest distance of points from the exact curve over time per point; along a line "
-            "the threshold of the bisection gets smaller."
+            "The largest distance of a computed point from the exact curve, over the time per "
+            "point. Along each line the threshold of the bisection decreases."
         )),
         *boundary,
         tree.rubric("Stable or not"),
         _prose(
-            "The count of the roots outside the unit circle does not see how long the delay is; "
-            "of eigenvalues the steps grow with the cube of the delay, and of Jury's table with "
-            "its square. Close to the boundary these two judge by their rounding, where the count "
-            "gives no verdict. With (14) as printed there is none without stiffness or at "
-            f"critical damping. {says['stability']}"
+            "The time to count the roots outside the unit circle does not depend on the delay. The "
+            "steps of an eigenvalue solver grow with the cube of the delay, and those of Jury's "
+            "table with its square. Close to the boundary, rounding errors decide the verdicts "
+            "of these two methods, and the count gives no verdict. With (14) as published there "
+            "is no verdict without stiffness or at critical damping. "
+            f"{says['stability']}"
         ),
         tree.figure("bench_stability", "", tree.words(
             "Left: time per wall over the delay. Right: wrong verdicts over the relative distance "
-            "of a wall from the boundary, walls of all delays together."
+            "of a wall from the boundary, for the walls of all delays."
         )),
         *times,
         *wrong,
         tree.rubric("Simpler models"),
         _prose(says["models"]),
         tree.figure("bench_models", "", tree.words(
-            "Median error of the largest stable stiffness over time per limit, with a quarter of "
-            "the virtual damping of the stiffest wall, over the paper's ranges (23)."
+            "Median error of the largest stable stiffness over time per limit, in the paper's "
+            "ranges (23). The virtual damping is a quarter of that of the stiffest wall."
         )),
         *models,
         tree.rubric("Other tools"),
         _prose(
-            "Each question as users ask it; tools without arrays take one after the other. "
+            "Each tool is called as a user would call it. Tools without arrays are called once for "
+            "each point. "
             + says["peers"]
         ),
         *peers,

@@ -37,11 +37,11 @@ def _formulas(rows: list[Row]) -> str:
     if not (easy and hard and many and stable):
         return ""
     return (
-        f"In units in the last place of double precision, the device by (14) is off by "
-        f"{number(easy['median'])} in the median and by {number(easy['worst'])} at worst on "
-        f"ordinary parameters, and there is no number at {share(hard['missing'])} {_PERCENT} of "
-        f"the hard ones; with 50 digits there is none at {share(many['missing'])} {_PERCENT}. No "
-        f"stable form is off by more than {number(max(stable))} on either set."
+        f"For ordinary parameters, the error of the device by (14) in double precision is "
+        f"{number(easy['median'])} ulp in the median and {number(easy['worst'])} ulp at most. For "
+        f"{share(hard['missing'])} {_PERCENT} of the hard parameters (14) gives no number; with 50 "
+        f"digits it gives none for {share(many['missing'])} {_PERCENT}. The error of the stable "
+        f"forms is at most {number(max(stable))} ulp for all parameters."
     )
 
 
@@ -51,11 +51,11 @@ def _boundary(rows: list[Row]) -> str:
         return ""
     finest = chosen(grid, threshold=min(row["threshold"] for row in grid))
     told = [
-        f"{_range(row['seconds'] for row in some)} a point and is off by "
+        f"{_range(row['seconds'] for row in some)} per point, with an error of "
         f"{number(max(row['worst'] for row in some))} at most"
         for some in (explicit, finest)
     ]
-    return f"Over these delays the explicit form takes {told[0]}, the finest grid {told[1]}."
+    return f"For these delays the explicit form takes {told[0]}; the finest grid takes {told[1]}."
 
 
 def _stability(rows: list[Row]) -> str:
@@ -75,7 +75,7 @@ def _stability(rows: list[Row]) -> str:
     near = f"{float(close):.0e}".replace("e-0", "e-")
     return (
         f"For d = {first} and d = {last} a test takes {_listed(times)}. At the relative distance "
-        f"{near} from the boundary wrong are {_listed(wrong)}."
+        f"{near} from the boundary, the share of wrong verdicts is {_listed(wrong)}."
     )
 
 
@@ -93,8 +93,8 @@ def _models(rows: list[Row]) -> str:
     if not (plain and damped):
         return ""
     told = [
-        f"The linear condition (25) errs by up to {farthest(plain)} {_PERCENT} without virtual "
-        f"damping, by up to {farthest(damped)} with some, and allows up to "
+        f"The error of the linear condition (25) is up to {farthest(plain)} {_PERCENT} without "
+        f"virtual damping and up to {farthest(damped)} {_PERCENT} with it. It allows up to "
         f"{share(max(0.0, *(row['most'] for row in damped)))} {_PERCENT} more stiffness than is "
         "stable."
     ]

@@ -91,11 +91,11 @@ _OFFERED = {
     ("package", "30 digits"): "digits=30",
     ("package", "50 digits"): "digits=50",
 }
-"""Ways to compute that the package offers, and how they are asked for."""
+"""Ways to compute in this package, with the name of each in the table."""
 
 
 def calls(rows: list[Row]) -> Table:
-    """For each function and error the fastest call that keeps it on all points."""
+    """For each function and error the fastest call that reaches it at all points."""
     found = []
     for name in _names(rows, "function"):
         cells = [words(name)]
@@ -132,7 +132,7 @@ _JUDGES = {
 
 
 def judges(rows: list[Row]) -> Table:
-    """For each distance from the boundary the fastest call that judges all walls, and rightly."""
+    """For each distance from the boundary the fastest call with a correct verdict for all walls."""
     found = []
     for distance in rows[0]["wrong"]:
         good = []
@@ -194,9 +194,10 @@ def _floats(rows: list[Row]) -> Table:
                 found.append(tuple(cells))
     head = ("function", "way", "time", "median", "worst", "NaN", "median", "worst", "NaN")
     says = (
-        "Errors in units in the last place of the largest term of the stable form, in double "
-        "precision; first on ordinary parameters, inside (23), then on hard ones. Above $10^{16}$ "
-        "no digit is left. NaN is the share in per cent of points without a number."
+        "Errors in units in the last place (ulp) of the largest term of the stable form, in double "
+        "precision. The first columns are for ordinary parameters, inside (23), the others for "
+        "hard ones. Above $10^{16}$ no digit is correct. NaN is the share of points without a "
+        "number, in per cent."
     )
     return Table("Functions in double precision", head, _grouped(found), 2, says)
 
@@ -225,9 +226,10 @@ def _digits(rows: list[Row]) -> Table:
                 found.append(tuple(cells))
     head = ("function", "way", "time", "worst", "NaN", "worst", "NaN")
     says = (
-        "Worst error in parts of the largest term, for balls their radius, on ordinary and on hard "
-        "parameters. Numbers of 50 digits are mpmath's, balls python-flint's. A stable form whose "
-        "value is zero has no 50 digits that could agree, and counts as NaN: beta without delay."
+        "Worst error relative to the largest term, for ordinary and for hard parameters; for balls "
+        "it is their radius. Numbers with 50 digits are computed by mpmath, and balls by "
+        "python-flint. A result of zero, as beta without delay, has no 50 digits to compare and "
+        "counts as NaN."
     )
     return Table("Functions in other precisions", head, _grouped(found), 2, says)
 
@@ -261,7 +263,7 @@ def _times(rows: list[Row]) -> Table:
     for delay in _names(rows, "delay"):
         at = {r["method"]: r for r in chosen(rows, delay=delay)}
         found.append((f"{delay}", *(nanoseconds(at[m]["seconds"]) for m in methods)))
-    says = "Time per wall, its plant's parameters given, over the delay in periods."
+    says = "Time per wall over the delay in periods, for given parameters of the plant."
     return Table("Time of a stability test", ("d", *methods), tuple(found), 1, says)
 
 
@@ -274,9 +276,9 @@ def _wrong(rows: list[Row]) -> Table:
         found.append((method, *map(share, (*missed, refused))))
     walls = sum(r["walls"] for r in chosen(rows, method=rows[0]["method"]))
     says = (
-        f"Share in per cent of {walls} walls, of all these delays, that are judged wrongly at a "
-        "relative distance from the boundary, and share that gets no verdict; one plant of four "
-        "has no stiffness, one critical damping. The truth is Jury's table in balls."
+        f"Share of wrong verdicts at each relative distance from the boundary, and share without a "
+        f"verdict, in per cent of {walls} walls with all these delays. One of four plants has no "
+        "stiffness, and one has critical damping. The reference is Jury's table in ball arithmetic."
     )
     head = ("method", *map(_power, rows[0]["wrong"]), "refused")
     return Table("Wrong verdicts near the boundary", head, tuple(found), 1, says)
@@ -300,9 +302,9 @@ def _models(rows: list[Row]) -> Table:
             found.append((f"{delay}", model, nanoseconds(limits[0]["seconds"]), *cells))
     head = ("d", "model", "time", *(f"{100 * s:g} %" for s in _names(rows, "damping")))
     says = (
-        "Error in per cent of the largest stable stiffness that a simpler model gives, from least "
-        "to most over (23): above zero it allows walls that are not stable. One column for each "
-        "virtual damping, in parts of that of the stiffest wall."
+        "Error of the largest stable stiffness of a simpler model, in per cent, from the least to "
+        "the most in (23). A positive error allows walls that are not stable. There is one column "
+        "for each virtual damping, in per cent of that of the stiffest wall."
     )
     return Table("Simpler models", head, _grouped(found), 2, says)
 
@@ -320,10 +322,11 @@ def _peers(rows: list[Row]) -> Table:
         found.append((*start, one, number(row["ratio_one"]), many, number(row["ratio_many"]), off))
     head = ("question", "tool", "one", "ratio", "of many", "ratio", "worst error")
     says = (
-        "Time of one call, and per element on arrays of 20 000, one after the other where a tool "
-        "has no arrays; each beside the package's own in the same run. Errors are relative; walls "
-        "to be judged have d = 2 and lie within 1e-12 of the boundary. A phase margin is a delay "
-        "only where that is whole: the others' error of a delay margin is that of their question."
+        "Time of one call, and time per element of an array of 20 000; a tool without arrays is "
+        "called for each element. The ratios are to the package's own time in the same run. Errors "
+        "are relative. Walls for a verdict have d = 2 and lie within 1e-12 of the boundary. The "
+        "other tools derive a delay margin from the phase margin, which is exact for integer "
+        "delays only; this is their error."
     )
     return Table("Beside other tools", head, _grouped(found), 2, says)
 

@@ -22,13 +22,13 @@ from symhaptic.book.plain import in_formulas
 from symhaptic.book.report.breaking import width
 from symhaptic.book.report.chapter import (
     WRONG,
+    by,
     claimed,
     condition,
     corrected,
     formula_in_words,
     in_words,
     referred,
-    rules,
     shown_by,
 )
 from symhaptic.book.report.tree import (
@@ -48,7 +48,7 @@ from symhaptic.book.report.tree import (
     table,
     words,
 )
-from symhaptic.book.rests import Rest, Said, rests, said, shown_in, used
+from symhaptic.book.rests import Said, said, shown_in, used
 from symhaptic.book.rules import called, classical, others, says
 from symhaptic.book.sources import PAPER
 from symhaptic.notation import SYMBOLS
@@ -61,10 +61,10 @@ Places: TypeAlias = Mapping[str, tuple[int, str]]
 """Number and name of each chapter, by the file that it is derived in."""
 
 USE = (
-    ("The largest passive stiffness, and the damping that it takes", ("eq11",)),
+    ("The largest passive stiffness and its damping", ("eq11",)),
     ("Passive or not, at each frequency below $\\pi/T$", ("eq5",)),
     ("The boundary of the passive walls: an arc and a line", ("eq7", "eq8")),
-    ("Passive or not in short: without delay, and for light damping", ("eq6", "eq9")),
+    ("Simple conditions of passivity: without delay, and for light damping", ("eq6", "eq9")),
     ("The boundary of the stable walls, for every device and delay", ("explicit-boundary",)),
     ("Stable or not, by Jury's inequalities", ("jury-inequalities",)),
     ("The linear limit of stability", ("eq24", "eq25")),
@@ -90,7 +90,9 @@ def results(entries: Sequence[Entry], places: Places) -> nodes.section:
     """The formulas to use, each with its condition, and what is wrong in short."""
     found = {entry.statement.id: entry for entry in entries if entry.derivation is not None}
     blocks: list[Node] = [
-        paragraph("As published or as corrected, each with the condition under which it is right.")
+        paragraph(
+            "Formulas as published or as corrected, each with the condition under which it holds."
+        )
     ]
     for question, ids in USE:
         answers = [_use(found[id], places) for id in ids if id in found]
@@ -132,10 +134,10 @@ def _chapter(entry: Entry, places: Places) -> Part:
 
 
 AT_HAND = (
-    "The source was a text conversion of the accepted manuscript, without its figures. What a "
-    "figure shows is known from its caption and from the text alone, and the figures of this book "
-    "are drawn anew from the captions. An entry that is marked as possibly of the conversion may "
-    "not be in the published paper."
+    "The source was a text conversion of the accepted manuscript, without its figures. We know a "
+    "figure only from its caption and from the text; the figures of this book are redrawn from the "
+    "captions. An entry that is marked as a possible error of the conversion may not be in the "
+    "published paper."
 )
 """What the paper was read from."""
 
@@ -306,7 +308,7 @@ def believed(entries: Iterable[Entry]) -> nodes.section:
         blocks.append(paragraph(told, rest if axiom else [" ", *rest[1:]]))
     lists: dict[str, list[Node]] = {}
     for module, found in others().items():
-        title = TITLES.get(module, "What the predicates mean of walls and devices")
+        title = TITLES.get(module, "What the predicates mean for walls and devices")
         for name, text in found.items():
             shown = strong(name.replace("_", " "))
             one = paragraph(shown, f" ({counts[name]}) ", plain(text))
@@ -348,18 +350,12 @@ def resting(
             if one.chapter == number:
                 places = [led("row", place, "") for place in again[said(one.theorem)]]
                 link = led("theorem", one.place, f"({one.place})")
-                rows.append(_resting([*places, link], rests([one.theorem], shown)))
+                rows.append(paragraph([*places, link], by([one.theorem], shown, ": ")))
         for id, item in chapter.page.settled.items():
             if judged := item.settlement.judged:
                 theorems = [judged.theorem, *(case.theorem for case in judged.unless)]
-                rows.append(_resting([referred(id)], rests(theorems, shown)))
+                rows.append(paragraph(referred(id), by(theorems, shown, ": ")))
     return rows
-
-
-def _resting(place: Part, rest: Rest) -> nodes.paragraph:
-    theorems = [led("theorem", one.place, f"({one.place})") for one in rest.shown]
-    links = listed([*theorems, *rules(rest.rules)])
-    return paragraph(place, [": ", *links] if links else "")
 
 
 def _repeated(chapters: Sequence[tuple[int, Chapter]]) -> dict[Said, list[str]]:
@@ -376,10 +372,10 @@ def _repeated(chapters: Sequence[tuple[int, Chapter]]) -> dict[Said, list[str]]:
 KINDS = {
     "formula": "a sign, factor, exponent, index or function of a formula",
     "digit": "a digit of a number, or a sign in print",
-    "negated": "a number's print that says the contrary",
-    "claim": "a claim with a part changed, left out or turned round",
-    "counterexample": "a counterexample left out",
-    "grounds": "the example of the hypotheses left out",
+    "negated": "a published number, negated",
+    "claim": "a claim with a part changed, omitted or reversed",
+    "counterexample": "a counterexample omitted",
+    "grounds": "the example of the hypotheses omitted",
 }
 """Kinds of change, in the order of the columns."""
 
@@ -414,12 +410,12 @@ def mutants(path: Path) -> nodes.section | None:
     kinds += [[kind, str(total[kind]), meaning] for kind, meaning in KINDS.items()]
     return _page(
         "mutants",
-        "What a wrong formula meets",
+        "Tests with wrong formulas",
         paragraph(
-            "A wrong formula must have no proof. As a test, every statement of this book and "
-            "every number of its tables was changed in one place and given to the same theorems. "
-            f"{total.total()} changes were refused. The others are listed below, with the reasons "
-            "why they are no errors."
+            "A wrong formula must not have a proof. In a test, every statement of this book and "
+            "every number of its tables was changed in one place and judged by the same theorems. "
+            f"{total.total()} changes were refused. The others are listed below, with the reason "
+            "why each is not an error."
         ),
         table("kinds", kinds, columns="lrl"),
         table("numbers", refused, columns=_columns(46) + "r" * len(KINDS)),
@@ -427,8 +423,8 @@ def mutants(path: Path) -> nodes.section | None:
             "Changes that survive",
             paragraph(
                 f"{surviving} changes were not refused. In none of these cases is the checker "
-                "wrong: the changed statement is true, too, or it is weaker, or it says the same "
-                "in other words, or no counterexample was found."
+                "wrong: the changed statement is also true, or weaker, or equivalent, or no "
+                "counterexample was found."
             ),
             table("survivors", stand, columns=_columns(44, 70, 42)),
         ),

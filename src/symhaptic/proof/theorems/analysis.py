@@ -43,7 +43,7 @@ SOURCES = {
     "above_its_start": "monotone functions have one-sided limits; Rudin, 4.29",
     "crosses_zero": "intermediate value theorem; Rudin, 4.23",
     "no_other_limit": "a limit is unique; Rudin, 4.2 and 3.2",
-    "in_the_limit": "limits keep weak inequalities; Rudin, 3.19 and 4.2",
+    "in_the_limit": "limits preserve weak inequalities; Rudin, 3.19 and 4.2",
     "induction": "mathematical induction",
 }
 """Each rule of this module with its source."""
@@ -55,10 +55,10 @@ _ZERO = sp.S.Zero
 def increases(
     expr: Any, variable: Symbol, lower: Any, upper: Any, slope: Theorem, *defined: Theorem
 ) -> Judgement:
-    """f increases on (lower, upper): its derivative is positive there.
+    """f increases on (lower, upper) if its derivative is positive there.
 
-    That 0 < f' (``slope``) and that no divisor of f vanishes (``defined``) is shown, of a variable
-    of which nothing is known but that it lies between the ends.
+    The premises show 0 < f' (``slope``) and that no divisor of f vanishes (``defined``).  They
+    assume of the variable only that it lies between the ends.
     """
     expr, lower, upper = term(expr), term(lower), term(upper)
     hypotheses = _rising(expr, variable, (lower, upper), slope, defined) | conditions(lower, upper)
@@ -95,9 +95,10 @@ def _between(variable: Symbol, lower: Expr, upper: Expr) -> tuple[Proposition, P
 def grows(
     expr: Any, variable: Symbol, smaller: Any, larger: Any, slope: Theorem, *defined: Theorem
 ) -> Judgement:
-    """f(x) < f(y) for x < y: the derivative is positive between, and f is defined at both ends.
+    """f(x) < f(y) for x < y, if the derivative is positive between and f is defined at both ends.
 
-    That 0 < f' (``slope``) is shown for x < v < y, and that no divisor of f vanishes (``defined``).
+    The premises show 0 < f' (``slope``) for x < v < y, and that no divisor of f vanishes there
+    (``defined``).
     """
     expr, x, y = term(expr), term(smaller), term(larger)
     if variable in x.free_symbols | y.free_symbols or not (real(x) and real(y)):
@@ -113,7 +114,7 @@ def grows(
 
 @rule
 def above_its_start(theorem: Theorem, start: Theorem) -> Judgement:
-    """What increases on (lower, upper) lies above its limit at the lower end."""
+    """A function that increases on (lower, upper) exceeds its limit at the lower end."""
     rise, claim = predicate(theorem, "increasing"), predicate(start, "limit")
     [variable], (expr, lower, upper) = rise.over, rise.of
     if claim != Predicate("limit", (variable,), (expr, lower, claim.of[2])):
@@ -127,9 +128,9 @@ def above_its_start(theorem: Theorem, start: Theorem) -> Judgement:
 def in_the_limit(
     theorem: Theorem, variable: Symbol, lower: Any, upper: Any, end: Theorem
 ) -> Judgement:
-    """A relation on (lower, upper) holds weakly of the limits at either end of the interval.
+    """An inequality on (lower, upper) becomes a weak inequality in the limit at either end.
 
-    The limit of the difference of its two sides (``end``) is shown.
+    The limit of the difference of its two sides (``end``) is a premise.
     """
     lower, upper = term(lower), term(upper)
     claim, limit = relation(theorem, "<", "<="), predicate(end, "limit")
@@ -144,10 +145,11 @@ def in_the_limit(
 
 @rule
 def crosses_zero(below: Theorem, above: Theorem, *defined: Theorem) -> Judgement:
-    """f(v) = 0 for a v in (lower, upper): its limit at one end is negative, at the other positive.
+    """f(v) = 0 for some v in (lower, upper), if f changes its sign from minus to plus.
 
-    The limits are shown, at the lower end (``below``) and at the upper one (``above``), and that no
-    divisor of f vanishes between (``defined``); that 0 lies between the limits is a hypothesis.
+    The premises are the limits at the lower end (``below``) and at the upper end (``above``), and
+    that no divisor of f vanishes in between (``defined``).  That the first limit is negative and
+    the second positive is a hypothesis.
     """
     claim, other = predicate(below, "limit"), predicate(above, "limit")
     [variable], (expr, lower, start), (_, upper, end) = claim.over, claim.of, other.of
@@ -161,7 +163,7 @@ def crosses_zero(below: Theorem, above: Theorem, *defined: Theorem) -> Judgement
 
 @rule
 def no_other_limit(limit: Theorem, apart: Theorem) -> Judgement:
-    """Where f tends to p, it does not tend to q != p."""
+    """If f tends to p, it does not tend to any q != p."""
     claim, other = predicate(limit, "limit"), relation(apart, "!=")
     if other.left != claim.of[2] or set(claim.over) & other.right.free_symbols:
         raise NotShown(f"{other} does not say that a number is not {claim.of[2]}")
@@ -171,7 +173,7 @@ def no_other_limit(limit: Theorem, apart: Theorem) -> Judgement:
 
 @rule
 def induction(claim: Proposition, number: Symbol, start: Theorem, step: Theorem) -> Judgement:
-    """p(0), and p(n) => p(n + 1) for whole n, give p(n) for every whole n."""
+    """p(0), and p(n) => p(n + 1) for whole n, imply p(n) for every whole n."""
     (first, gone), (after, too) = (put(claim, {number: at}) for at in (_ZERO, number + 1))
     if gone or too:
         raise NotShown(f"a divisor of {claim} is lost on the way")

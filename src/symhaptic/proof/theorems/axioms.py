@@ -1,7 +1,7 @@
-"""What is believed without a proof: closed propositions, each with its source.
+"""Closed propositions that are accepted without a proof, each with its source.
 
-First school mathematics, then what the named predicates mean of a held force and of a sampled
-device.  Symbols are real, but for z, s, X and c, which are complex.
+Elementary mathematics comes first, then what the named predicates mean for a held force and for a
+sampled device.  Symbols are real, but for z, s, X and c, which are complex.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ AXIOMS: Mapping[str, Axiom] = MappingProxyType(_AXIOMS)
 
 @rule
 def known(name: str) -> Judgement:
-    """What an axiom says."""
+    """The proposition of an axiom."""
     if name not in AXIOMS:
         raise NotShown(f"{name!r} is no axiom; {', '.join(AXIOMS)} are")
     return (), AXIOMS[name].says
@@ -114,7 +114,7 @@ _believed("full turns", _R + "8.7", [x, p], [whole(p)], *_same)
 _between = And((whole(p), _le(p * y, x), _lt(x, (p + 1) * y)))
 _believed("rest", _R + "1.20", [x, y], [_le(0, x), _lt(0, y)], Exists((p,), _between))
 
-# -- what the predicates mean of walls and devices -------------------------------------
+# -- what the predicates mean for walls and devices ------------------------------------
 
 K, B, T, b, d, m, k, t_d = n.K, n.B, n.T, n.b, n.d, n.m, n.k, n.t_d
 ell, epsilon = n.l, n.epsilon
@@ -137,8 +137,8 @@ def _stable(polynomial: Expr) -> Predicate:
 _believed("linear", "definition of a zero", [x], [_lt(-1, x), _lt(x, 1)], _stable(z - x))
 _believed(
     "passive wall",
-    "a given way costs a damper least at constant speed, and the force is held; Colgate and "
-    "Schenkel, J. Robot. Syst. 14(1), 1997",
+    "for a given displacement a damper dissipates least at constant speed, and the force is held; "
+    "Colgate and Schenkel, J. Robot. Syst. 14(1), 1997",
     WALL,
     [whole(d), _lt(0, T)],
     Iff(
@@ -152,10 +152,10 @@ _taps = (1 - epsilon) * z**-ell + epsilon * z ** (-ell - 1)
 _off = epsilon * (1 - epsilon)
 _believed(
     "passive late wall",
-    "while one force is held the device moves by p, and when its sample is taken it is off a "
-    "straight motion by q: at constant speeds (as above) the damper burns b p^2/T + b q^2/(T "
-    "epsilon (1 - epsilon)), and the wall takes p H z^(-l-1) (x + (1 - epsilon) p + q); each q at "
-    "its best",
+    "p is the displacement while one force is held, and q the deviation from a motion at constant "
+    "speed at the time of its sample: the damper dissipates at least b p^2/T + b q^2/(T "
+    "epsilon (1 - epsilon)), and the wall absorbs p H z^(-l-1) (x + (1 - epsilon) p + q); the sum "
+    "is minimised over q",
     [K, B, b, T, ell, epsilon],
     [whole(ell), _lt(0, T), _lt(0, b), _le(0, epsilon), _le(epsilon, 1)],
     Iff(
@@ -174,7 +174,7 @@ _believed(
 _polynomial = z ** (d + 1) * _A + _N * ((alpha + beta) * z - beta)
 _believed(
     "loop of a device",
-    "z^(d+1) A + N W; behind whole delays the paper's reading and the exact one agree",
+    "z^(d+1) A + N W; for integer delays the paper's reading and the exact one agree",
     [*LOOP, *NUMBERS],
     [DEVICE, whole(d)],
     *(
@@ -198,8 +198,8 @@ _believed(
 )
 _believed(
     "loop in w",
-    "definition of the paper's reading; of a fraction that is not in lowest terms the polynomial "
-    "has powers of w^g only, with the same zeros w^g",
+    "definition of the paper's reading; for a fraction that is not in lowest terms the polynomial "
+    "contains only powers of w^g, and has the same zeros w^g",
     [*LOOP, *NUMBERS, p, q],
     [DEVICE, whole(p), whole(q), _eq(d * (q + 1), p)],
     Iff((_named("stable_substituted", *LOOP), _stable(_late))),
@@ -207,7 +207,7 @@ _believed(
 _v = x + I * y
 _believed(
     "half a period on the principal sheet",
-    "the principal root of z is the one to the right, v with z = v^2, and z^d = v^(2 d)",
+    "the principal root of z is the v with z = v^2 and Re v > 0, and z^d = v^(2 d)",
     [alpha, beta, gamma, delta, ell, *NUMBERS],
     [DEVICE, whole(ell)],
     Iff(
@@ -229,14 +229,14 @@ _believed(
 )
 _believed(
     "held by a pole",
-    "as the paper has it, no pole of a stable loop has z^2 >= 1",
+    "in the paper's reading no pole of a stable loop has z^2 >= 1",
     [*LOOP, x],
     [_named("pole", *LOOP, x), _le(1, x**2)],
     Not((_named("stable_substituted", *LOOP),)),
 )
 _believed(
     "swings",
-    "Newton's law for exp(sigma t) sin(omega t): the parts with sine and with cosine",
+    "Newton's law for exp(sigma t) sin(omega t): its sine and cosine terms vanish",
     [m, b, k, n.omega],
     [_ne(n.omega, 0)],
     Iff(
@@ -256,18 +256,24 @@ _believed(
 )
 _believed(
     "device",
-    "a linear differential equation has one solution from each state",
+    "a linear differential equation has one solution for each initial state",
     [gamma, delta],
     [],
     Exists(NUMBERS, DEVICE),
 )
 _numbers = [gamma, delta, *NUMBERS]
 _static = _eq(1 - a + e, gamma * (n_1 + n_0))
-_believed("device at rest", "under the held force gamma x stays at 1", _numbers, [DEVICE], _static)
+_believed(
+    "device at rest",
+    "x = 1 is the equilibrium under the constant force gamma",
+    _numbers,
+    [DEVICE],
+    _static,
+)
 _believed("device's loss", "det exp X = exp tr X", _numbers, [DEVICE], _eq(e, exp(-delta)))
 _believed(
     "device pushed",
-    "a damped device gives way to a held force",
+    "a held force moves a damped device in its own direction",
     _numbers,
     [DEVICE, _sprung, _damped],
     _lt(0, n_1 + n_0),
@@ -281,7 +287,7 @@ _believed(
 )
 _believed(
     "undamped device",
-    "cos and sin of x t solve y'' + x^2 y = 0; a period of the motion may run backwards",
+    "cos and sin of x t solve y'' + x^2 y = 0; the motion can be reversed in time",
     [x, *NUMBERS],
     [_named("device", x**2, 0, *NUMBERS)],
     _eq(a, 2 * cos(x)),
@@ -289,7 +295,7 @@ _believed(
 )
 _believed(
     "free mass",
-    "t^2/2 is its way under the force 1",
+    "t^2/2 is its displacement under the force 1",
     [*NUMBERS],
     [_named("device", 0, 0, *NUMBERS)],
     _eq(n_1, Rational(1, 2)),
@@ -312,14 +318,16 @@ def _mirror(of: Expr) -> Expr:
 
 _believed(
     "held steady state",
-    "what the force works is burnt each period: delta p^2, and more since the speed is not "
-    "constant, with p = (z-1) F N/A; Newton's law and the inequality of Schwarz, " + _R + "11.35",
+    "the damper dissipates the work of the force in each period: more than delta p^2 with "
+    "p = (z-1) F N/A, since the speed is not constant; Newton's law and the Schwarz inequality, "
+    + _R
+    + "11.35",
     [*_numbers, theta],
     [DEVICE, _sprung, _damped, _lt(0, theta), _le(theta, pi)],
     _lt(delta * _way * _mirror(_way), (_work + _mirror(_work)) / 2),
 )
 
-# -- devices whose force is late by a fraction of a period ------------------------------
+# -- devices whose force is delayed by a fraction of a period ---------------------------
 
 m_2, m_1, m_0 = LATE_NUMBERS = n.m_2, n.m_1, n.m_0
 LATE_DEVICE = Predicate("late_device", (), (gamma, delta, epsilon, *LATE_NUMBERS, a, e))
@@ -334,15 +342,15 @@ def _equal(*pairs: tuple[Any, Any]) -> And:
 
 _believed(
     "late device",
-    "a linear differential equation has one solution from each state",
+    "a linear differential equation has one solution for each initial state",
     [gamma, delta, epsilon],
     _fraction,
     Exists((*LATE_NUMBERS, *NUMBERS), And((LATE_DEVICE, DEVICE))),
 )
 _believed(
     "late device and device",
-    "a force that does not change moves the device as it does without delay; and a force that "
-    "comes at once, or a whole period late",
+    "a constant force moves the device as it does without delay; the delays 0 and 1 change the "
+    "force at a sample",
     _late_numbers,
     [LATE_DEVICE, DEVICE],
     _eq(m_2 + m_1 + m_0, n_1 + n_0),
@@ -359,7 +367,7 @@ _believed(
 )
 _believed(
     "free late mass",
-    "t^2/2 is its way under the force 1",
+    "t^2/2 is its displacement under the force 1",
     [epsilon, *LATE_NUMBERS, a, e],
     [_named("late_device", 0, 0, epsilon, *LATE_NUMBERS, a, e)],
     _eq(m_2, (1 - epsilon) ** 2 / 2),
@@ -367,7 +375,7 @@ _believed(
 )
 _believed(
     "loop of a late device",
-    "z^(l+2) A + M W: the state is that of the device and the forces under way",
+    "z^(l+2) A + M W: the state consists of that of the device and of the delayed forces",
     [alpha, beta, gamma, delta, ell, epsilon, *LATE_NUMBERS, a, e],
     [LATE_DEVICE, whole(ell), *_fraction],
     Iff(
@@ -380,9 +388,10 @@ _believed(
 _off_straight = _M.xreplace({z: _turn}) - (epsilon + (1 - epsilon) * _turn) * (n_1 * _turn + n_0)
 _believed(
     "late held steady state",
-    "as above, of each force from its beginning: p is the way of its whole period, and where its "
-    "sample is taken, after 1 - epsilon, the device is off a straight motion by q; delta p^2 + "
-    "delta q^2/(epsilon (1 - epsilon)) is burnt at constant speeds, and the speed is not constant",
+    "as above, for the time in which one force is held: p is the displacement, and q the deviation "
+    "from a motion at constant speed at the time of its sample, after 1 - epsilon; the damper "
+    "dissipates more than delta p^2 + delta q^2/(epsilon (1 - epsilon)), since the speed is not "
+    "constant in both parts",
     [*_late_numbers, theta],
     [
         *(LATE_DEVICE, DEVICE, _sprung, _damped),
@@ -413,7 +422,7 @@ _mbk = (m, b, k)
 _here = answers(transfer(_mbk, t_d, s), s, z, X, T)
 _believed(
     "units",
-    "other units, u of time and f of force per length",
+    "a change of units, by u for time and by f for force per length",
     [*_mbk, t_d, z, X, T, u, f],
     [_lt(0, u), _ne(f, 0)],
     Iff(
@@ -425,14 +434,14 @@ _believed(
 )
 _believed(
     "later",
-    "a force that comes p whole periods later is z^-p times the same force",
+    "a force that is delayed by p periods is z^-p times the same force",
     [*_mbk, t_d, z, X, T, p],
     [whole(p)],
     Iff((_here, answers(transfer(_mbk, t_d + p * T, s), s, z, z**-p * X, T))),
 )
 _believed(
     "amplified",
-    "superposition",
+    "linearity",
     [*_mbk, t_d, z, X, T, u],
     [_ne(u, 0)],
     Iff((_here, answers(u * transfer(_mbk, t_d, s), s, z, u * X, T))),

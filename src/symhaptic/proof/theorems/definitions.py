@@ -26,11 +26,11 @@ from symhaptic.proof.theorems.kernel import Judgement, NotShown, rule
 def loop(
     values: Sequence[Any], variable: Symbol, stiffness: bool = True, damping: bool = True
 ) -> Judgement:
-    """Behind whole delays a loop is stable where its characteristic polynomial is.
+    """For integer delays a loop is stable if and only if its characteristic polynomial is.
 
-    That is of alpha, beta, gamma, delta and d (``values``).  A device without spring or damper is
-    another one: its gamma or delta is 0, and its polynomial is made of its own motion.  That its
-    poles differ is a hypothesis, as far as the polynomial divides by their difference.
+    The loop has the parameters alpha, beta, gamma, delta and d (``values``).  A device without
+    spring or damper has gamma = 0 or delta = 0, and a polynomial that is derived from its own
+    motion.  That its poles differ is a hypothesis if the polynomial divides by their difference.
     """
     divisors, zeros = loop_polynomial(values, variable, 1, stiffness, damping)
     found = tuple(term(v) for v in values)
@@ -90,9 +90,9 @@ def loop_substituted(
 def gains(wall: Sequence[Any], motion: Sequence[tuple[Any, Any]]) -> Judgement:
     """A motion at constant speeds, (time in periods, displacement) piece by piece, gains energy.
 
-    Times and ways are rational, K, B and b real numbers: over each piece the damper burns
-    b p^2/(duration T), and the wall takes F p with the force that is held then,
-    K x + B (x - x')/T of the sample d periods before.
+    Times and displacements are rational; K, B and b are real numbers.  In each piece the damper
+    dissipates b p^2/(duration T), and the wall absorbs F p with the held force
+    F = K x + B (x - x')/T of the sample d periods before.
     """
     K, B, b, T, late = (term(t) for t in wall)
     pieces = [(Fraction(duration), Fraction(way)) for duration, way in motion]

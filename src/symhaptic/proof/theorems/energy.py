@@ -29,14 +29,14 @@ from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, relati
 from symhaptic.proof.theorems.roots import coefficients, divisors, summands
 
 SOURCES = {
-    "toeplitz": "a Toeplitz form is non-negative where its symbol is, and only there; "
+    "toeplitz": "a Toeplitz form is non-negative if and only if its symbol is; "
     "Grenander and Szego, Toeplitz Forms and Their Applications, 5.2",
-    "filtered": "the same, of a response that converges on the circle",
-    "dissipates": "a storage function; Willems, Arch. Rational Mech. Anal. 45, 1972. A given way "
-    "costs damper and friction least at constant speed",
-    "swing_gains": "definition of passivity: a swing that gains energy can be repeated",
-    "stored": "what is stored at rest is nothing, and a device comes to rest at as little cost "
-    "as one likes; Colgate and Schenkel, J. Robot. Syst. 14(1), 1997, Sec. 3",
+    "filtered": "the same, for a response that converges on the circle",
+    "dissipates": "storage functions; Willems, Arch. Rational Mech. Anal. 45, 1972. For a given "
+    "displacement, damper and friction dissipate least at constant speed",
+    "swing_gains": "definition of passivity: a motion that gains energy can be repeated",
+    "stored": "nothing is stored at rest, and a device can be brought to rest with arbitrarily "
+    "little dissipation; Colgate and Schenkel, J. Robot. Syst. 14(1), 1997, Sec. 3",
 }
 """Each rule of this module with its source."""
 
@@ -47,10 +47,10 @@ _ZERO = sp.S.Zero
 def toeplitz(response: Any, variable: Symbol, damping: Any, angle: Symbol) -> Judgement:
     """No motion gains energy if and only if H(1) >= 0 and 0 <= c + Re H/(z - 1) on the circle.
 
-    H is a polynomial in 1/z with real coefficients; that its exponents are whole is a hypothesis.
-    Of z^-e/(z - 1) the real part is (cos (e+1) theta - cos e theta)/(2 - 2 cos theta).
-    With x = p/(z - 1) the energy is the integral of |p|^2 (c + Re H/(z - 1)) over the circle, and
-    H(1)/2 times the square of the whole way.
+    H is a polynomial in 1/z with real coefficients.  That its exponents are whole is a hypothesis.
+    The real part of z^-e/(z - 1) is (cos (e+1) theta - cos e theta)/(2 - 2 cos theta).
+    With x = p/(z - 1) the energy is the integral of |p|^2 (c + Re H/(z - 1)) over the circle, plus
+    H(1)/2 times the square of the total displacement.
     """
     response, damping = term(response), term(damping)
     if {variable, angle} & damping.free_symbols or angle in response.free_symbols:
@@ -74,10 +74,11 @@ def toeplitz(response: Any, variable: Symbol, damping: Any, angle: Symbol) -> Ju
 def filtered(
     response: Any, denominator: Any, variable: Symbol, damping: Any, angle: Symbol
 ) -> Judgement:
-    """The same for H = N/D: its answers are those of a filter D, and fade.
+    """The same condition for H = N/D, whose impulse response decays.
 
-    N and D (``denominator``) are real polynomials in z of known degrees, D is monic and N not of
-    higher degree; that all zeros of D lie inside is a hypothesis.  H divides by factors of D only.
+    N and D (``denominator``) are real polynomials in z of known degrees.  D is monic, and N is not
+    of higher degree.  That all zeros of D lie inside the unit circle is a hypothesis.  H divides
+    by factors of D only.
     """
     response, damping, below = term(response), term(damping), term(denominator)
     if {variable, angle} & damping.free_symbols:
@@ -112,11 +113,12 @@ def filtered(
 
 @rule
 def stored(wall: Sequence[Any], speed: Symbol, some: Theorem, none: Theorem) -> Judgement:
-    """A store E(v) does not matter to passivity, for 0 <= E(v) and E(0) = 0.
+    """Stored energy E(v) does not affect passivity, if 0 <= E(v) and E(0) = 0.
 
-    The hand's work is E(v) at the end and what damper and wall take.  With 0 <= E it is not less
-    than without a store; and a motion that gains energy without one gains it as well if it begins
-    and ends at rest, which changes the damper's share as little as one likes: E is a polynomial.
+    The user's work is E(v) at the end plus the energy that damper and wall absorb.  With 0 <= E it
+    is at least what a device without E absorbs; conversely, a motion that gains energy without E
+    also gains it with E, if it begins and ends at rest.  Since E is a polynomial, this condition
+    changes the dissipated energy by an arbitrarily small amount.
     """
     parts = tuple(term(t) for t in wall)
     claim, zero = relation(some, "<="), relation(none, "=")
@@ -149,10 +151,11 @@ def dissipates(
     some: Theorem,
     none: Theorem,
 ) -> Judgement:
-    """A force F(y) is passive beside b and f_c if a store S(x) grows by no more than these take.
+    """A force F(y) is passive together with b and f_c if it has a storage function S(x).
 
-    Of x, its count y and the way p of a period (``over``) it is shown that 0 <= F(y) p + b p^2/T +
-    f_c |p| - S(x + p) + S(x), for y - Delta/2 <= x <= y + Delta/2, and that 0 <= S(x) and S(0) = 0.
+    Let x be the position, y its count and p the displacement in a period (``over``).  The premises
+    show 0 <= F(y) p + b p^2/T + f_c |p| - S(x + p) + S(x) for y - Delta/2 <= x <= y + Delta/2, and
+    0 <= S(x) and S(0) = 0.
     """
     store, force, parts = term(store), term(force), tuple(map(term, wall))
     (b, friction, period, step), (x, y, p) = parts, over
@@ -181,11 +184,11 @@ def dissipates(
 def swing_gains(
     force: Any, place: Symbol, wall: Sequence[Any], swing: Sequence[Any], gain: Theorem
 ) -> Judgement:
-    """A force F(y) is not passive if a swing of two periods gains energy.
+    """A force F(y) is not passive if a motion of two periods, forth and back, gains energy.
 
-    The swing goes from x by p and back, at constant speeds; l and n are the whole counts of x and
-    x + p (``swing``, in this order).  F(l Delta) p - F(n Delta) p + 2 b p^2/T + 2 f_c |p| < 0
-    (``gain``).
+    The device moves at constant speed from x to x + p and back; l and n are the counts of x and of
+    x + p (``swing``).  The premise (``gain``) is F(l Delta) p - F(n Delta) p + 2 b p^2/T +
+    2 f_c |p| < 0.
     """
     force, parts, moved = term(force), tuple(map(term, wall)), tuple(map(term, swing))
     (b, friction, period, step), (x, p, *counts) = parts, moved

@@ -224,7 +224,7 @@ def add_assum(theorem: Theorem, *more: Any) -> Judgement:
 
 @rule
 def disch(theorem: Theorem, *given: Any) -> Judgement:
-    """G |- q gives G without p |- p => q; of several hypotheses, their conjunction implies q."""
+    """G |- q gives G without p |- p => q; several hypotheses are joined in a conjunction."""
     found = tuple(proposition(p) for p in given)
     if not found:
         raise NotShown("nothing to discharge")
@@ -234,7 +234,7 @@ def disch(theorem: Theorem, *given: Any) -> Judgement:
 
 @rule
 def prove_hyp(theorem: Theorem, *lemmas: Theorem) -> Judgement:
-    """Hypotheses that lemmas conclude give way to the hypotheses of the lemmas."""
+    """Hypotheses that lemmas prove are replaced by the hypotheses of the lemmas."""
     shown = {c for lemma in lemmas for c in conjuncts(lemma.conclusion)}
     shown |= {lemma.conclusion for lemma in lemmas}
     if not shown & theorem.hypotheses:
@@ -305,9 +305,9 @@ def disj_cases(cover: Theorem, *cases: Theorem) -> Judgement:
 
 @rule
 def not_intro(theorem: Theorem, denial: Theorem, *given: Any) -> Judgement:
-    """p and not p give the negation of a hypothesis; without one, falsehood.
+    """p and not p give the negation of a hypothesis, or falsehood if none is named.
 
-    Of a relation the opposite one denies it, too: a < b and b <= a.
+    The opposite relation also contradicts a relation, as b <= a does a < b.
     """
     claim, other = theorem.conclusion, denial.conclusion
     denied = other == Not((claim,)) or (isinstance(claim, Relation) and other in _against(claim))
@@ -337,7 +337,7 @@ def _against(claim: Relation) -> set[Proposition]:
 
 @rule
 def contr(falsehood: Theorem, wanted: Any) -> Judgement:
-    """Falsehood gives anything."""
+    """Falsehood implies anything."""
     if falsehood.conclusion != FALSE:
         raise NotShown("the premise is not false")
     return falsehood.hypotheses, proposition(wanted)
@@ -357,17 +357,18 @@ def imp_antisym(one: Theorem, other: Theorem) -> Judgement:
 
 @rule
 def gen(theorem: Theorem, *symbols: Symbol) -> Judgement:
-    """What holds for a symbol that no hypothesis knows holds for all of its values."""
+    """If no hypothesis contains a symbol, the conclusion holds for all of its values."""
     without(symbols, theorem.hypotheses)
     return theorem.hypotheses, ForAll(symbols, theorem.conclusion)
 
 
 @rule
 def spec(theorem: Theorem, values: Terms) -> Judgement:
-    """For all x: p(x) gives p(a), a real term; its definedness becomes a hypothesis.
+    """For all x: p(x) gives p(a) for a real term; that the term has a value becomes a hypothesis.
 
-    Not where p(x) is an implication from a relation or a predicate of x itself, which is false of
-    what has no value; nor need a be real by its form where that is an order relation.
+    This hypothesis is not added if p(x) is an implication whose premise is a relation or a
+    predicate of x itself: the premise is false for a term without a value.  If the premise is an
+    order relation, it is not required either that a be real by its form.
     """
     claim = theorem.conclusion
     if not isinstance(claim, ForAll) or set(values) != set(claim.over):
@@ -385,8 +386,8 @@ def spec(theorem: Theorem, values: Terms) -> Judgement:
 def inst(theorem: Theorem, values: Terms) -> Judgement:
     """Real terms in place of free symbols, in hypotheses and conclusion alike.
 
-    That the terms have values is a hypothesis, and so is that a divisor is not zero which SymPy
-    cancels when it writes what comes out: a hypothesis must not become weaker.
+    That the terms have values is a hypothesis.  If SymPy cancels a divisor when it writes the
+    result, it is also a hypothesis that this divisor is not zero: none may become weaker.
     """
     conclusion, extra = put(theorem.conclusion, values)
     extra |= _real(values) | conditions(*map(term, values.values()))
@@ -468,7 +469,7 @@ def subst(pattern: Any, place: Symbol, theorem: Theorem, equation: Theorem) -> J
 
 @rule
 def exists(theorem: Theorem, wanted: Proposition, values: Terms) -> Judgement:
-    """p(a), for real terms a, gives that there is an x with p(x)."""
+    """p(a), for real terms a, implies that there is an x with p(x)."""
     if not isinstance(wanted, Exists) or set(values) != set(wanted.over):
         raise NotShown("no value for each of the symbols")
     there, lost_ = put(wanted.body, values)
@@ -480,7 +481,7 @@ def exists(theorem: Theorem, wanted: Proposition, values: Terms) -> Judgement:
 
 @rule
 def choose(existence: Theorem, theorem: Theorem) -> Judgement:
-    """There is an x with p(x), and p(x) |- q where q does not know x, give q."""
+    """If there is an x with p(x), and p(x) |- q for a q that does not contain x, then q."""
     claim = existence.conclusion
     if not isinstance(claim, Exists):
         raise NotShown(f"{claim} says nothing of existence")
@@ -493,7 +494,7 @@ def choose(existence: Theorem, theorem: Theorem) -> Judgement:
 
 @rule
 def undisch(theorem: Theorem) -> Judgement:
-    """p => q gives q under the hypothesis p, and p /\\ q => r under both."""
+    """p => q gives q under the hypothesis p; p /\\ q => r gives r under both."""
     if not isinstance(theorem.conclusion, Implies):
         raise NotShown("the conclusion is no implication")
     given, then = theorem.conclusion.of

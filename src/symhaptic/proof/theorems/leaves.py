@@ -61,7 +61,7 @@ def _same(left: Expr, right: Expr) -> bool:
 
 @rule
 def number(claim: Any) -> Judgement:
-    """A relation between numbers, by balls; equality by the normal form."""
+    """A relation between numbers, by ball arithmetic; equality by the normal form."""
     claim = proposition(claim)
     if not isinstance(claim, Relation) or claim.free:
         raise NotShown(f"{claim} is no relation between numbers")
@@ -80,11 +80,12 @@ Product: TypeAlias = "Sequence[Theorem | Expr | int]"
 
 @rule
 def combined(claim: Any, *products: Product) -> Judgement:
-    """A relation whose two sides differ by a sum of products of what is known.
+    """A relation whose two sides differ by a sum of products of known relations.
 
-    A product of theorems e > 0 or e >= 0 (each relation read with its smaller side taken to the
-    other) and positive rationals is not negative; one with an equation is zero, whatever else
-    stands in it.  ``!=`` needs a single product of what is not zero, and equations.
+    Each known relation is written as e > 0, e >= 0, e = 0 or e != 0.  A product of positive
+    rationals and such e > 0 or e >= 0 is not negative.  A product with an equation is zero,
+    whatever its other factors are.  ``!=`` requires a single product of factors that are not zero,
+    and equations.
 
     >>> from symhaptic.proof.theorems.kernel import assume
     >>> x, y = sp.symbols("x y")
@@ -150,7 +151,7 @@ def _signed(products: Sequence[Product]) -> bool:
 
 @rule
 def factor(of: Any, product: Theorem, other: Any) -> Judgement:
-    """p != 0 from p q != 0, or from a p q of either sign."""
+    """p != 0 from p q != 0, p q > 0 or p q < 0."""
     of, other, claim = term(of), term(other), product.conclusion
     if not (isinstance(claim, Relation) and claim.sign in ("<", "!=")):
         raise NotShown(f"{claim} does not say that something is not zero")
@@ -161,7 +162,7 @@ def factor(of: Any, product: Theorem, other: Any) -> Judgement:
 
 @rule
 def mirrored(theorem: Theorem) -> Judgement:
-    """The conjugate of an equation, whose symbols are real: with -j for j."""
+    """The conjugate of an equation in real symbols: -j replaces j."""
     claim = theorem.conclusion
     if not (isinstance(claim, Relation) and claim.sign in ("=", "!=")):
         raise NotShown(f"{claim} is no equation")
@@ -212,7 +213,7 @@ def broken(value: Any) -> Judgement:
 
 @rule
 def on_box(certificate: Positive) -> Judgement:
-    """0 < f on a box, by a certificate checked again; its finite balls show that f is defined."""
+    """0 < f on a box, by a certificate that is checked again; finite balls show f is defined."""
     if not isinstance(certificate, Positive) or certificate.given is not None:
         raise NotShown("a certificate of a box without further symbols is wanted")
     return on_certificate(certificate, term(certificate.expr))
@@ -236,10 +237,10 @@ def on_sides(certificate: Positive) -> set[Proposition]:
 
 @rule
 def on_plants(certificate: Positive) -> Judgement:
-    """0 < f on a box of plants, f being made of their numbers n1, n0, a and e and of other symbols.
+    """0 < f on a box of plants, for an f of their numbers n1, n0, a and e and of other symbols.
 
-    The certificate's balls are those of exp of the device's matrix (:mod:`symhaptic.proof.plants`)
-    for each piece of gamma and delta; it is checked again.
+    The certificate encloses the exponential of the device's matrix (:mod:`symhaptic.proof.plants`)
+    for each piece of gamma and delta.  It is checked again.
     """
     given = certificate.given if isinstance(certificate, Positive) else None
     if type(given) is not Named:
@@ -263,11 +264,11 @@ def on_plants(certificate: Positive) -> Judgement:
 def more_damped(
     certificate: Positive, expr: Any, larger: Symbol, numbers: Sequence[Symbol]
 ) -> Judgement:
-    """f(delta) < f(delta') of two devices with one spring, from 0 < df/ddelta on a box of plants.
+    """f(delta) < f(delta') for two devices with one spring, from 0 < df/ddelta on a box of plants.
 
     f is a polynomial in the numbers n1, n0, a and e, in gamma, delta and the other sides of the
     box; the other device (``numbers``) has the larger damping delta' (``larger``).  The
-    certificate's balls are those of the derivatives, too; mean value theorem, Rudin, 5.10.
+    certificate encloses the derivatives, too; mean value theorem, Rudin, 5.10.
     """
     given = certificate.given if isinstance(certificate, Positive) else None
     if type(given) is not Named:
@@ -302,7 +303,7 @@ def more_damped(
 
 @rule
 def tends(expr: Any, variable: Symbol, at: Any, value: Any) -> Judgement:
-    """The limit by exact series, where no divisor vanishes on the way to it.
+    """The limit by exact series, if no divisor vanishes next to the point.
 
     That the coefficient of the lowest power of each divisor is not zero is a hypothesis.
     """
@@ -332,7 +333,7 @@ def _not_nearby(divisor: Expr, variable: Symbol, at: Expr) -> set[Proposition]:
 
 @rule
 def roots_inside(polynomial: Any, variable: Symbol, given: Mapping[Expr, Expr]) -> Judgement:
-    """All zeros of a polynomial with numbers for coefficients lie inside the circle, by balls."""
+    """All zeros of a polynomial with numerical coefficients lie inside the circle, by balls."""
     expr = term(polynomial).xreplace({s: term(value) for s, value in given.items()})
     polynomial_in = expr.free_symbols == {variable} and expr.is_polynomial(variable)
     if not polynomial_in or not zeros_inside(expr, variable):
@@ -342,7 +343,7 @@ def roots_inside(polynomial: Any, variable: Symbol, given: Mapping[Expr, Expr]) 
 
 @rule
 def root_outside(polynomial: Any, variable: Symbol) -> Judgement:
-    """A zero of a polynomial with numbers for coefficients lies outside the circle, by balls."""
+    """A zero of a polynomial with numerical coefficients lies outside the circle, by balls."""
     expr = term(polynomial)
     if expr.free_symbols != {variable} or not largest_root(expr) > 1:
         raise NotShown("no zero is shown to be outside")
@@ -351,8 +352,10 @@ def root_outside(polynomial: Any, variable: Symbol) -> Judgement:
 
 @rule
 def none_right(polynomial: Any, variable: Symbol, along: Symbol, across: Symbol) -> Judgement:
-    """p(x + j y) != 0 for 0 < x and 1 <= x^2 + y^2, of a p with numbers for coefficients: by balls
-    no zero that may lie to the right is as large."""
+    """p(x + j y) != 0 for 0 < x and 1 <= x^2 + y^2, for a p with numerical coefficients.
+
+    Balls around the zeros show that each lies inside the unit circle or has a negative real part.
+    """
     expr, outside, value = _outside_right(polynomial, variable, along, across)
     if not largest_root(expr, keep=lambda zero: not zero.real < 0) < 1:
         raise NotShown("a zero may lie outside, to the right")
@@ -362,7 +365,7 @@ def none_right(polynomial: Any, variable: Symbol, along: Symbol, across: Symbol)
 
 @rule
 def one_right(polynomial: Any, variable: Symbol, along: Symbol, across: Symbol) -> Judgement:
-    """Not so: by balls a zero lies outside, to the right."""
+    """The contrary: a zero with a positive real part lies outside the unit circle, by balls."""
     expr, outside, value = _outside_right(polynomial, variable, along, across)
     if not largest_root(expr, keep=lambda zero: zero.real > 0) > 1:
         raise NotShown("no zero is shown to lie outside, to the right")

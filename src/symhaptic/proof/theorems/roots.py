@@ -44,10 +44,10 @@ SOURCES = {
     "none_enters": "the same; zeros of a real polynomial come in conjugate pairs",
     "all_inside": "zeros of a product are those of its factors",
     "zero_on_circle": "definition of a zero",
-    "last_coefficient": "it is, up to its sign, the product of the zeros: Vieta",
-    "jury": "half of Jury's inner determinants, and half planes, are enough; Anderson and Jury, "
-    "A simplified Schur-Cohn test, IEEE Trans. Automatic Control 18(2), 1973",
-    "first_minors": "the half plane goes to the circle by z = (1+s)/(1-s), and 1/s keeps it; "
+    "last_coefficient": "f(0) is, up to its sign, the product of the zeros of f (Vieta)",
+    "jury": "half of Jury's inner determinants, and half planes, are sufficient; Anderson and "
+    "Jury, A simplified Schur-Cohn test, IEEE Trans. Automatic Control 18(2), 1973",
+    "first_minors": "z = (1+s)/(1-s) maps the left half plane to the unit disc, and 1/s to itself; "
     "Gantmacher, The Theory of Matrices, vol. 2, ch. XV, Theorem 4 (Routh-Hurwitz)",
     "hurwitz": "Gantmacher, The Theory of Matrices, vol. 2, ch. XV, Theorem 4 (Routh-Hurwitz)",
     "outpaces": "each zero a adds z/(z - a) to z p'/p, and Re z/(z - a) > 1/2 for |a| < |z| = 1; "
@@ -64,7 +64,7 @@ _ZERO = sp.S.Zero
 
 @rule
 def zero_on_circle(polynomial: Any, variable: Symbol, angle: Any, zero: Theorem) -> Judgement:
-    """p(exp(j theta)) = 0 for a real theta gives that not all zeros lie inside."""
+    """If p(exp(j theta)) = 0 for a real theta, not all zeros lie inside the unit circle."""
     polynomial, angle = term(polynomial), term(angle)
     if not real(angle):
         raise NotShown(f"{angle} is not real by its form")
@@ -107,7 +107,7 @@ def coefficients(polynomial: Expr, variable: Symbol) -> list[Expr]:
 
 @rule
 def all_inside(variable: Symbol, power: Any, *factors: Theorem) -> Judgement:
-    """All zeros of z^m f g lie inside if those of f and of g do; m is whole."""
+    """All zeros of z^m f g lie inside the unit circle if those of f and of g do; m is whole."""
     product = term(variable) ** term(power)
     hypotheses = _whole([term(power)])
     for theorem in factors:
@@ -119,10 +119,10 @@ def all_inside(variable: Symbol, power: Any, *factors: Theorem) -> Judgement:
 
 @rule
 def last_coefficient(inside: Theorem, power: Any = _ZERO) -> Judgement:
-    """Of a monic z^m f with its zeros inside, -1 < f(0) < 1: up to its sign, their product.
+    """If all zeros of a monic z^m f lie inside the unit circle, -1 < f(0) < 1.
 
-    f is real and of degree 1 at least.  That exponents are whole is a hypothesis, that m is
-    (``power``) too.
+    f is real and of degree 1 at least.  That the exponents and m (``power``) are whole is a
+    hypothesis.
     """
     claim, lowest = predicate(inside, "stable"), sp.expand(term(power))
     [polynomial], [variable] = claim.of, claim.over
@@ -138,12 +138,12 @@ def last_coefficient(inside: Theorem, power: Any = _ZERO) -> Judgement:
 
 @rule
 def jury(polynomial: Any, variable: Symbol) -> Judgement:
-    """All zeros of a monic real polynomial lie inside <=> n + 1 expressions are positive.
+    """All zeros of a monic real p lie inside the unit circle <=> n + 1 expressions are positive.
 
     They are the coefficients c_0 and c_n, c_(n-2), ... of (1 - s)^n p((1 + s)/(1 - s)), and
-    Jury's inner determinants |X - Y| of orders r = n-1, n-3, ...: with p the sum of a_k z^k, X has
-    a_(n-j+i) and Y has a_(i+j-r-1) in row i and column j, or 0 where there is no such coefficient
-    (i, j = 1 to r, and X is 0 below its diagonal).  The degree n is a number.
+    Jury's inner determinants |X - Y| of orders r = n-1, n-3, ...  If p is the sum of a_k z^k, the
+    entry in row i and column j (i, j = 1 to r) is a_(n-j+i) in X and a_(i+j-r-1) in Y, or 0 if
+    there is no such coefficient.  X is 0 below its diagonal.  The degree n is a number.
     """
     polynomial = term(polynomial)
     falling = coefficients(polynomial, variable)
@@ -160,8 +160,8 @@ def jury(polynomial: Any, variable: Symbol) -> Judgement:
 def hurwitz(polynomial: Any, variable: Symbol) -> Judgement:
     """All zeros of a real polynomial have negative real parts <=> n determinants are positive.
 
-    They are the leading minors of Hurwitz' matrix, a_(n+i-2j) in row i and column j.  That the
-    highest coefficient is positive is a hypothesis; the degree n is a number.
+    They are the leading minors of Hurwitz' matrix, which has a_(n+i-2j) in row i and column j.
+    That the leading coefficient is positive is a hypothesis.  The degree n is a number.
     """
     polynomial = term(polynomial)
     falling = coefficients(polynomial, variable)
@@ -188,10 +188,11 @@ def _minors(falling: Sequence[Expr], count: int) -> tuple[Proposition, ...]:
 
 @rule
 def first_minors(inside: Theorem, count: int) -> Judgement:
-    """Of a monic real p with its zeros inside, p(1) and Hurwitz' first minors are positive.
+    """If a monic real p has all zeros inside the circle, p(1) and Hurwitz' minors are positive.
 
-    They are minors of c_0 s^n + c_1 s^(n-1) + ..., where (1 - s)^n p((1 + s)/(1 - s)) is the sum of
-    c_k s^k, and no more than the degree n.  That exponents are whole is a hypothesis.
+    The minors are those of c_0 s^n + c_1 s^(n-1) + ..., where (1 - s)^n p((1 + s)/(1 - s)) is the
+    sum of c_k s^k.  Only the first ones are stated, at most as many as the degree n.  That
+    exponents are whole is a hypothesis.
     """
     claim = predicate(inside, "stable")
     [polynomial], [variable] = claim.of, claim.over
@@ -213,9 +214,9 @@ def first_minors(inside: Theorem, count: int) -> Judgement:
 
 @rule
 def outpaces(inside: Theorem, angle: Any) -> Judgement:
-    """Of p with its zeros inside, n |p|^2 < 2 Re conj(p) z p' at z = exp(j theta); n is its degree.
+    """If p has all zeros inside the circle, n |p|^2 < 2 Re conj(p) z p' at z = exp(j theta).
 
-    p is monic and real, and n is 1 at least.  That exponents are whole is a hypothesis.
+    p is monic and real, and its degree n is 1 at least.  That exponents are whole is a hypothesis.
     """
     claim, angle = predicate(inside, "stable"), term(angle)
     [polynomial], [variable] = claim.of, claim.over
@@ -236,10 +237,10 @@ def outpaces(inside: Theorem, angle: Any) -> Judgement:
 
 @rule
 def opposite(inside: Theorem) -> Judgement:
-    """With those of a monic real p, all zeros of p(-z), made monic, lie inside.
+    """If a monic real p has all zeros inside the circle, so does p(-z), made monic.
 
-    Of each exponent it is seen whether it differs from the degree by an even number; that exponents
-    are whole is a hypothesis.
+    For each exponent the rule decides whether its difference from the degree is even or odd.  That
+    exponents are whole is a hypothesis.
     """
     claim = predicate(inside, "stable")
     [polynomial], [variable] = claim.of, claim.over
@@ -270,13 +271,14 @@ def roots_stay(
     begin: Theorem,
     *inwards: Theorem,
 ) -> Judgement:
-    """All zeros of f + g lie inside: along f + y g, 0 <= y <= 1, none crosses the circle.
+    """All zeros of f + g lie inside the circle if those of f do and none of f + y g crosses it.
 
-    f is monic and of higher degree than g, both are real polynomials in z, powers of z with
-    symbols in the exponent included (that these are whole is a hypothesis).  It is shown that
-    f + y g is not zero at exp(j theta), for 0 < y <= 1 and 0 < theta <= pi (``crossing``), nor at 1
-    (``static``), and that all zeros of f lie inside (``begin``); or all of h with f = (z - 1) h,
-    and then that 0 < g(1) and 0 < h(1) (``inwards``), too: the zero at 1 moves to smaller z.
+    Here 0 < y <= 1.  f is monic and of higher degree than g.  Both are real polynomials in z, whose
+    exponents may contain symbols (that these are whole is a hypothesis).  The premises show that
+    f + y g is not zero at exp(j theta) for 0 < theta <= pi (``crossing``), nor at 1 (``static``),
+    and that all zeros of f lie inside (``begin``).  If f = (z - 1) h, it is sufficient that all
+    zeros of h lie inside and that 0 < g(1) and 0 < h(1) (``inwards``): the zero at 1 moves to
+    smaller z.
     """
     f, g = term(start), term(change)
     circle = {Relation(_ZERO, "<", angle), Relation(angle, "<=", sp.pi)}
@@ -310,11 +312,11 @@ def _unmoved(
 
 @rule
 def none_enters(begin: Theorem, change: Any, over: Sequence[Symbol], *shown: Theorem) -> Judgement:
-    """p(v^2) + g(v) != 0 for v = x + j y, 0 < x and 1 <= x^2 + y^2, of a p with its zeros inside.
+    """p(v^2) + g(v) != 0 for v = x + j y, 0 < x and 1 <= x^2 + y^2, if the zeros of p lie inside.
 
-    Along p(v^2) + q g(v), 0 < q <= 1, none crosses the border of this region: it is shown that
-    this is not zero at exp(j t), 0 < t <= pi/2, at 1, and at j exp(t), 0 < t.  p is monic, both
-    are real, and p(v^2) is of higher degree than g; that exponents are whole is a hypothesis.
+    No zero of p(v^2) + q g(v), 0 < q <= 1, crosses the border of this region: the premises show
+    that this is not zero at exp(j t), 0 < t <= pi/2, at 1, and at j exp(t), 0 < t.  p is monic,
+    both are real, and p(v^2) is of higher degree than g.  That exponents are whole is a hypothesis.
     """
     g, (variable, share, place, x, y) = term(change), over
     powers = _powers(_stable(begin, variable), variable)
@@ -341,8 +343,8 @@ def pole_at(
 ) -> Judgement:
     """exp(s) is a pole of (18) if exp(s/q) is a zero of its polynomial in w, with z = w^q.
 
-    q (``share``) is whole and positive, and it is shown (``zero``) that the polynomial vanishes
-    there, its powers written exp(s n/q).
+    q (``share``) is whole and positive.  The premise (``zero``) is that the polynomial vanishes
+    there, with its powers written as exp(s n/q).
     """
     share, exponent = term(share), term(exponent)
     divisors, zeros = loop_polynomial(values, variable, share, stiffness, damping)
@@ -360,9 +362,9 @@ def pole_at(
 
 @rule
 def degree(polynomial: Any, variable: Symbol, power: Any) -> Judgement:
-    """A polynomial has this degree: larger than all other powers, by whole numbers.
+    """The degree of a polynomial is the power that exceeds all others by whole numbers.
 
-    That exponents are whole, and the coefficient not zero, are hypotheses.
+    That exponents are whole and that its coefficient is not zero are hypotheses.
     """
     polynomial, power = term(polynomial), sp.expand(term(power))
     powers = _powers(polynomial, variable, real_only=False)
@@ -377,7 +379,7 @@ def degree(polynomial: Any, variable: Symbol, power: Any) -> Judgement:
 
 @rule
 def not_of_degree(polynomial: Any, variable: Symbol, power: Any) -> Judgement:
-    """Of a sum of powers in numbers: one of them is not whole, or this power is not in it."""
+    """A sum of powers is not of this degree if an exponent is not whole, or this one is missing."""
     polynomial, power = term(polynomial), term(power)
     powers = _powers(polynomial, variable, real_only=False)
     if any(e.free_symbols or not e.is_Rational for e in (*powers, power)):

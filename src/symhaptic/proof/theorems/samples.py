@@ -31,10 +31,10 @@ from symhaptic.proof.theorems.kernel import (
 )
 
 SOURCES = {
-    "held_answer": "a linear differential equation has one solution from each state; Coddington "
-    "and Levinson, Theory of Ordinary Differential Equations, 1.8 and 3.1",
-    "turns": "the definition of an answer",
-    "one_answer": "the definition of an answer",
+    "held_answer": "a linear differential equation has one solution for each initial state; "
+    "Coddington and Levinson, Theory of Ordinary Differential Equations, 1.8 and 3.1",
+    "turns": "the definition of a response",
+    "one_answer": "the definition of a response",
     "after_a_blow": "variation of constants, and integration by parts; Rudin, Principles of "
     "Mathematical Analysis, 6.22 and 6.12(b)",
 }
@@ -53,13 +53,13 @@ def held_answer(
     motion: Sequence[Any],
     time: Symbol,
 ) -> Judgement:
-    r"""The answer of m x'' + b x' + k x = F to z^k, held for a period of 1, l + epsilon late.
+    r"""The response of m x'' + b x' + k x = F to z^k, held for a period 1, delayed by l + epsilon.
 
-    Phi and Gamma, functions of time (``motion``), are checked to be what the differential equation
-    makes of any state, and of a unit force from rest.  X is the one answer if
-    and only if z != 0, det(z - Phi) != 0 and, with Phi and Gamma at the times 1, epsilon and
-    1 - epsilon, X det(z - Phi) = (1, 0) adj(z - Phi) (Gamma(1 - epsilon) z^-l + Phi(1 - epsilon)
-    Gamma(epsilon) z^(-l-1)).  That l is whole and 0 <= epsilon <= 1 are hypotheses.
+    Phi and Gamma (``motion``), functions of time, are checked against the differential equation:
+    Phi is the response to an initial state, and Gamma that to a unit force from rest.  X is the
+    unique response if and only if z != 0, det(z - Phi) != 0 and X det(z - Phi) = (1, 0)
+    adj(z - Phi) (Gamma(1 - epsilon) z^-l + Phi(1 - epsilon) Gamma(epsilon) z^(-l-1)), where Phi
+    without an argument is Phi(1).  That l is whole and 0 <= epsilon <= 1 are hypotheses.
     """
     own, z, found = tuple(map(term, device)), term(at), term(answer)
     periods, rest = (term(v) for v in delay)
@@ -113,13 +113,13 @@ def _moves(
 
 @rule
 def turns(answered: Theorem) -> Judgement:
-    """Only a force z^k with z != 0 has an answer, for k may be negative."""
+    """A force z^k has a response only if z != 0, since k may be negative."""
     return answered.hypotheses, Relation(predicate(answered, "answers").of[1], "!=", _ZERO)
 
 
 @rule
 def one_answer(one: Theorem, other: Theorem) -> Judgement:
-    """Two answers of the same device to the same force are equal."""
+    """Two responses of the same device to the same force are equal."""
     claim, again = predicate(one, "answers"), predicate(other, "answers")
     response, at, answer, period = claim.of
     if again != answers(response, claim.over[0], at, again.of[2], period):
@@ -133,10 +133,10 @@ def after_a_blow(
 ) -> Judgement:
     """0 < p n1 + q n0 - f(1) from 0 < p + q exp(-delta u) - f'' - delta f' - gamma f on 0 < u < 1.
 
-    The same with <=.  f and f' are zero at u = 0.  A blow moves the device by h, a solution with
-    h(0) = 0 and h'(0) = 1, positive on (0, 1] for gamma - delta^2/4 < pi^2.  A force held before
-    moves it by n1 = int h(1 - u) du and n0 = int exp(-delta u) h(1 - u) du, and f(1) is
-    int (f'' + delta f' + gamma f) h(1 - u) du, by parts; Rudin, 6.22 and 6.12.
+    The same holds with <=.  f and f' are zero at u = 0.  The impulse response h has h(0) = 0 and
+    h'(0) = 1; it is positive on (0, 1] for gamma - delta^2/4 < pi^2.  The numbers of the device are
+    n1 = int h(1 - u) du and n0 = int exp(-delta u) h(1 - u) du.  Integration by parts gives
+    f(1) = int (f'' + delta f' + gamma f) h(1 - u) du; Rudin, 6.22 and 6.12.
     """
     gamma_, delta_, n1, n0, _, _ = found = predicate(device, "device").of
     p, q, f = term(first), term(second), term(test)
