@@ -427,7 +427,7 @@ def test_a_cell_with_the_number_of_an_equation_is_no_list():
 @browser_needed
 @pytest.mark.parametrize(
     ("words", "page"),
-    [("own paper", "howto"), ("figure for a paper", "howto"), ("velocity filter", "loops")],
+    [("own paper", "howto"), ("velocity filter", "loops")],
 )
 def test_the_search_shows_guides_before_chapters(whole, opened, words, page):
     opened.goto((whole / "search.html").as_uri() + f"?q={words}")
