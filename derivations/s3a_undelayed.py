@@ -28,13 +28,13 @@ def derive(page):
         r"Without delay the kernel is $\frac12$",
         passivity.dirichlet_form().subs(d, 0),
         K * T / 2 - B * cos(theta),
-        name=r"\left.\text{need}\right|_{d=0}",
+        name=r"\left.b_{\min}\right|_{d=0}",
     )
     page.step(
         r"For $B\ge0$ the required damping is at most $\frac{KT}2+B$",
         K * T / 2 + B - undelayed,
         2 * B * cos(theta / 2) ** 2,
-        name=r"\tfrac{KT}{2}+B-\text{need}",
+        name=r"\tfrac{KT}{2}+B-b_{\min}",
         because="tends to 0 for $\\theta\\to\\pi$ and is positive before",
     )
     form, same = taken_apart(page.claim("s3a-undelayed"))[2].of

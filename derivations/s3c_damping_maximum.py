@@ -13,13 +13,13 @@ def derive(page):
     page.say(
         r"By \chapter{s3a_passivity_condition} a wall is passive if "
         r"$b>\frac{KT\sin(d+\frac12)\theta}{2\sin\frac\theta2}-B\cos(d+1)\theta$ at every angle "
-        r"$\theta=\omega T$. The right side is the required damping."
+        r"$\theta=\omega T$. The right side is the required damping $b_{\min}$."
     )
     top = page.step(
         r"At $\theta=\pi/(d+1)$ the condition depends on the virtual damping only",
         need.subs(theta, pi / (d + 1)),
         K * T / 2 + B,
-        name=r"\left.\text{need}\right|_{\theta=\pi/(d+1)}",
+        name=r"\left.b_{\min}\right|_{\theta=\pi/(d+1)}",
         because="the kernel is $\\tfrac12$ and the cosine $-1$ there, for every real $d$",
     )
     stiffness, damping = (e.subs(theta, pi / (d + 1)) for e in passivity.envelope())

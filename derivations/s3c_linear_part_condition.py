@@ -12,6 +12,10 @@ from symhaptic.book.lemmas.prelude import *
 
 def derive(page):
     line = b + B - K * T * (d + Rational(1, 2))
+    page.say(
+        r"By \chapter{s3c_linear_part} the margin $b-b_{\min}(\theta)$ of a wall tends to "
+        r"$F=b+B-(d+\frac12)KT$ for $\theta\to0$. The line is $F=0$."
+    )
     limit_of_k = page.step(
         "Solved for the stiffness the line is damping over delay",
         (b + B) / (T * (d + Rational(1, 2))),
@@ -36,8 +40,19 @@ def derive(page):
 def _condition(page, nine):
     """(9), and (10), which is (9) in words, decide in the range of damping of (9)."""
     enough, needed = decides()
-    page.lemma("The condition is sufficient for damping in the range of (9)", enough)
-    page.lemma("The condition is necessary for any damping", needed)
+    page.lemma(
+        "The condition is sufficient for damping in the range of (9)",
+        enough,
+        because=r"the wall on the line with the damping $B$ is passive by "
+        r"\chapter{s3c_linear_part}, and so is the wall with $K=0$. The margin is linear in $K$, "
+        "so no wall between them has a negative margin",
+    )
+    page.lemma(
+        "The condition is necessary for any damping",
+        needed,
+        because="a passive wall has no negative margin at any angle, so its limit $F$ is not "
+        "negative either",
+    )
     border = Ne(K, LOW)
     late = {K: S.One, B: S.Zero, b: Rational(101, 100), T: S.One, d: S.Half}
     pulled = {K: -S(3), B: S.Zero, b: S.One, T: S.One, d: S.One}

@@ -14,13 +14,14 @@ def derive(page):
     page.say(
         r"By \chapter{s3a_passivity_condition} a wall is passive if "
         r"$b>\frac{KT\sin(d+\frac12)\theta}{2\sin\frac\theta2}-B\cos(d+1)\theta$ at every angle "
-        r"$\theta=\omega T$. The right side is the required damping."
+        r"$\theta=\omega T$. The right side is the required damping $b_{\min}$, and "
+        r"$b-b_{\min}$ is the margin."
     )
     page.step(
         "The coefficient of the virtual damping is a cosine",
         diff(need, B),
         -cos((d + 1) * theta),
-        name=r"\partial\,\text{need}/\partial B",
+        name=r"\partial b_{\min}/\partial B",
     )
     angle = pi / (2 * (d + 1))
     page.step(
@@ -48,6 +49,7 @@ def derive(page):
         on_curve[0] - stiffness,
         S.Zero,
         name=r"K\big|_{\text{(7)}}-K",
+        because=r"the envelope (7) has this stiffness at the angle of the step before",
     )
     damping = page.step(
         "The largest stiffness takes this damping",

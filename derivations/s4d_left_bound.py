@@ -32,7 +32,8 @@ def derive(page):
         swinging,
         (1 - exp(-delta / 2)) ** 2 + 4 * exp(-delta / 2) * sin(phi / 2) ** 2,
         name=r"\gamma(n_1+n_0)\big|_{c=2j\varphi}",
-        because=r"with $c=2j\varphi$; zero only for $\delta=0$ and $\varphi=2\pi,4\pi,\ldots$, "
+        because=r"with $c=2j\varphi$, where $\varphi=\omega_dT$ is the angle of the damped natural "
+        r"frequency $\omega_d$. It is zero only for $\delta=0$ and $\varphi=2\pi,4\pi,\ldots$, "
         r"where "
         "$p_1(1)=0$ for every wall and none is stable",
     )
@@ -58,8 +59,8 @@ def derive(page):
         2 * v * (-delta * v - gamma * x) + 2 * gamma * x * v,
         -2 * delta * v**2,
         name=r"\tfrac{d}{dt}(v^2+\gamma x^2)",
-        because=r"by Newton's law, so the final speed is less than 1, except for $\delta=0$ and "
-        r"$\varphi=\pi,2\pi,\ldots$",
+        because=r"by Newton's law, so the speed after the period is less than 1, except "
+        r"for $\delta=0$ and $\varphi=\pi,2\pi,\ldots$",
     )
     page.step(
         "At the root 1 the slope is positive",

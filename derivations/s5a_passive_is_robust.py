@@ -53,7 +53,7 @@ def _scaled(page):
         "The required damping is proportional to the wall",
         need.subs({K: y * K, B: y * B}, simultaneous=True),
         y * need,
-        name=r"\text{need}(yK,yB)",
+        name=r"b_{\min}(yK,yB)",
         because="the condition is linear in the wall: with $y$ times the damping, $y$ times the "
         "wall is passive",
     )

@@ -55,7 +55,11 @@ def derive(page):
         r"$(1-y)\delta$ and $y$ times the margin, and neither is negative."
     )
     page.lemma(
-        "No root crosses the circle while the wall is scaled from zero to $W$", no_crossing()
+        "No root crosses the circle while the wall is scaled from zero to $W$",
+        no_crossing(),
+        because="the condition at every angle is (5) in these units. At $z=1$ the polynomial is "
+        r"$(n_1+n_0)(y\alpha+\gamma)$ by \chapter{s4d_left_bound}, which is positive for "
+        r"$\alpha+\gamma>0$",
     )
     page.figure(
         "sides",
@@ -68,9 +72,10 @@ def derive(page):
     page.lemma(
         "A wall with a margin at every angle is stable with every spring and damper",
         passive_is_stable(),
-        because="zeros are continuous in the coefficients. Without a wall those of a damped device "
-        "with a spring lie inside; without a spring one lies at 1, and a small stiffness "
-        "moves it inside",
+        because=r"$\mathrm{stable}$ is about the exact loop, and $\mathrm{stable}_{(18)}$ about "
+        "the roots of (18); for integer delays both are the same. Zeros are continuous in the "
+        "coefficients. Without a wall those of a damped device with a spring lie inside. Without "
+        "a spring one lies at 1, and a small stiffness moves it inside",
         boxed=True,
     )
     _subset(page)

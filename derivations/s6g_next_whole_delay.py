@@ -16,9 +16,12 @@ from symhaptic.proof.theorems.familiar import polar
 
 def derive(page):
     page.say(
-        r"As before let $\psi=\theta/2$, $u=KT/(2b)$ and $w=(B+KT/2)/b$, and $N=2(\ell+2)$ for "
-        r"the next integer delay $\ell+1$. At one angle write $w=r\sin\kappa$ and "
-        r"$u\cot\psi=r\cos\kappa$; for $K>0$ that is $|\kappa|<\frac\pi2$."
+        r"For an integer delay, \chapter{s3a_passivity_condition} gives the required damping "
+        r"$b_{\min}(\theta)$: a wall is passive if $K\ge0$ and $b\ge b_{\min}(\theta)$ at every "
+        r"angle. Let $\psi=\theta/2$, $u=KT/(2b)$ and $w=(B+KT/2)/b$, and $N=2(\ell+2)$ for the "
+        r"next integer delay $\ell+1$. At one angle write $w=r\sin\kappa$ and "
+        r"$u\cot\psi=r\cos\kappa$. For $K>0$ that is possible with $r>0$ and "
+        r"$|\kappa|<\frac\pi2$."
     )
     polar = {K: 2 * b * u / T, B: b * (w - u), theta: 2 * psi}
     turned = {u: r * cos(kappa) * tan(psi), w: r * sin(kappa)}
@@ -27,7 +30,7 @@ def derive(page):
         "The condition of the next integer delay contains one sine",
         need,
         r * sin(N * psi - kappa),
-        name=r"\text{need}\big|_{d=\ell+1}/b",
+        name=r"b_{\min}\big|_{d=\ell+1}/b",
         because="we write $\\chi=N\\psi-\\kappa$; for $\\ell$ it is $r\\sin(\\chi-2\\psi)$",
     )
     share = (fractional.margin() / b**2).subs(polar).subs(turned)
@@ -38,7 +41,8 @@ def derive(page):
         - r * ((1 - epsilon) * sin(chi - 2 * psi) + epsilon * sin(chi))
         - epsilon * (1 - epsilon) * r**2 * sin(psi) ** 2,
         name="f",
-        because="is $f\\ge0$",
+        because=r"by \chapter{s6d_fractional_passivity} a wall is passive with the delay "
+        r"$\ell+\varepsilon$ if $K\ge0$ and $f\ge0$ at every angle. We call $f$ the margin",
     )
     page.say(
         r"Let the next integer delay be passive: $r\sin\chi\le1$ at all angles. Where "
@@ -65,8 +69,9 @@ def derive(page):
     found = page.lemma(
         "Rounding the delay up to an integer is safe",
         safe_when_rounded_up(),
-        because="without stiffness the passive damping begins at $-b$ for every delay, and ends at "
-        "$b$ for the next integer delay",
+        because="these three cases prove $f\\ge0$ for $K>0$. For $K=0$ the passive values of $B$ "
+        "begin at $-b$ with every delay. They end at $b$ with the next integer delay, and not "
+        "below $b$ with a fractional one",
         boxed=True,
     )
     page.state(

@@ -12,6 +12,8 @@ from xml.etree import ElementTree
 
 import pytest
 from chapters import chapter
+from docutils import nodes
+from docutils.core import publish_doctree
 
 import symhaptic
 from symhaptic.book.chapters import shipped
@@ -409,7 +411,29 @@ def test_the_guides_are_pages_with_their_code_and_links():
     assert list(found) == list(ORDER)
     assert "::\n\n   pip install ." in found["verify"]
     assert ".. code:: python\n\n   >>> " in found["limits"]
-    assert not any(".md>`__" in text for text in found.values())
+    assert not any(re.search(r"\.md(#[\w-]+)?>`__", text) for text in found.values())
+    assert "<devices.html#units>`__" in found["limits"]
+
+
+def test_a_cell_with_the_number_of_an_equation_is_no_list():
+    from symhaptic.book.report.guides import led, turned
+
+    table = led(turned("| paper | so |\n|---|---|\n| (4) | no |\n| (5), (8) | no |\n"))
+    cells = [node.astext() for node in publish_doctree(table).findall(nodes.entry)]
+    assert cells == ["paper", "so", "(4)", "no", "(5), (8)", "no"]
+    assert not [*publish_doctree(table).findall(nodes.enumerated_list)]
+
+
+@browser_needed
+@pytest.mark.parametrize(
+    ("words", "page"),
+    [("own paper", "howto"), ("velocity filter", "loops")],
+)
+def test_the_search_shows_guides_before_chapters(whole, opened, words, page):
+    opened.goto((whole / "search.html").as_uri() + f"?q={words}")
+    opened.wait_for_selector("ul.search li a")
+    links = opened.eval_on_selector_all("ul.search li a", "all => all.map(a => a.href)")
+    assert any(f"/{page}.html" in link for link in links[:3])
 
 
 def test_the_pictures_of_the_guides_are_there():

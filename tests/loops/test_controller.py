@@ -88,7 +88,9 @@ def test_single_precision_is_refused_where_it_makes_another_wall():
     """A pole of 1 - 1e-8 is 1 in single precision, and the filter never forgets."""
     slow = scene(LowPass(weight=1e-8))
     assert files(slow, 1.0, 0.01)
-    with pytest.raises(ValueError, match=r"^velocity: difference behind an exponential average of"):
+    with pytest.raises(
+        ValueError, match=r"^velocity: difference filtered by an exponential average of"
+    ):
         files(slow, 1.0, 0.01, single=True)
     fast = Scene(mass=1e-15, damping=1e-20, sampling_period=1e-30)
     with pytest.raises(ValueError, match=r"^sampling_period: 1e-30 squared is beyond the range"):
@@ -155,6 +157,10 @@ B = 1.0
     assert "is not stable" in run.stderr
     assert run.stderr.count("\n") == 1
     assert not (tmp_path / "other").exists()
+    device.write_text(text.partition("[wall]")[0])
+    run = symhaptic("controller", device)
+    assert run.stderr.count(device.name) == 1
+    assert "has no wall; give a table [wall] with K and B" in run.stderr
 
 
 def test_the_code_says_in_which_units_it_counts():

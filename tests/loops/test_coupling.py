@@ -128,7 +128,7 @@ def test_what_it_does_not_answer_it_refuses(tmp_path):
         with pytest.raises(ValueError, match=r"^coupling: .* give a velocity of one rate"):
             Scene(**own, velocity=velocity)
     scene = Scene(**own)
-    with pytest.raises(ValueError, match=r"coupling: .* passivity is not told"):
+    with pytest.raises(ValueError, match=r"coupling: .* passivity is not computed"):
         scene.is_passive(1.0, 1.0)
     with pytest.raises(ValueError, match=r"^coupling: .* for a simulation"):
         scene.simulate(1.0, 1.0, duration=1.0)

@@ -77,16 +77,16 @@ def test_the_stiffest_wall_is_the_largest_limit():
 @pytest.mark.parametrize(
     ("part", "why"),
     [
-        ({"delay": 0.0015}, "with a filter (4) is of whole periods"),
+        ({"delay": 0.0015}, "with a filter condition (4) needs an integer delay"),
         ({"integrator": "explicit Euler"}, "a simulator is no device"),
     ],
 )
 def test_where_passivity_cannot_be_told_it_says_so(part, why):
     scene = Scene(mass=0.1, damping=0.5, sampling_period=1e-3, velocity=LowPass(weight=0.5), **part)
-    with pytest.raises(ValueError, match="passivity is not told, ask for stability") as caught:
+    with pytest.raises(ValueError, match="passivity is not computed, ask for stability") as caught:
         scene.is_passive(1.0, 0.0)
     assert why in str(caught.value)
-    assert "not told" in scene.describe()
+    assert "not computed" in scene.describe()
 
 
 @pytest.mark.parametrize("apart", [1e-2, 1e-4, 1e-6])

@@ -48,7 +48,11 @@ def test_a_range_of_rotary_arms(tmp_path):
         ('"1 kHz"', '"1000 rad/s"', ":3: sampling_rate: '1000 rad/s' is not allowed; give a freq"),
         ('"1 kHz"', '"0 Hz"', ":3: sampling_rate: '0 Hz' is not allowed; give finite numbers > 0"),
         (ARM, '[arm]\nname = "Hogan"\n', "device.toml: arm: Arm(mass=0.8, damping=5.5, stiffness="),
-        ("[arm]", "[arms]\nmass = 1\n[arm]", "inertia: is missing; the device has the inertia"),
+        (
+            "[arm]",
+            "[arms]\nmass = 1\n[arm]",
+            "inertia: is missing in the range of arms; the device",
+        ),
         ("sampling_rate", "sampling_period", ":3: sampling_period: '1 kHz' is not allowed; give "),
         ("sampling_rate", "delay", "device.toml: sampling_period is missing, such as sampling_pe"),
         ("[arm]", 'sampling_period = "1 ms"\n[arm]', ":3: sampling_rate: '1 kHz' and sampling"),

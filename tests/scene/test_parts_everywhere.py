@@ -39,7 +39,9 @@ def test_passivity_is_refused_and_not_empty(name):
         lambda: scene.is_passive(1.0, 0.0),
         lambda: scene.passivity_margin(1.0, 0.0),
     ):
-        with pytest.raises(ValueError, match=r"^[^\n]*passivity is not told, ask for stability$"):
+        with pytest.raises(
+            ValueError, match=r"^[^\n]*passivity is not computed, ask for stability$"
+        ):
             ask()
 
 
@@ -130,6 +132,6 @@ def test_proofs_are_of_the_loop_of_the_paper(name):
 
 def test_parts_are_in_the_latex_of_a_scene():
     scene = Scene(**DEVICE, velocity=LowPass(cutoff=50), virtual_mass=0.001)
-    for words in (r"\text{velocity: difference behind", r"\text{virtual mass: 0.001 kg}"):
+    for words in (r"\text{velocity: difference filtered by", r"\text{virtual mass: 0.001 kg}"):
         assert words in scene._repr_latex_()
     assert r"\text" not in Scene(**DEVICE)._repr_latex_()

@@ -108,7 +108,7 @@ def test_safe_walls_of_rotary_arms():
     assert "N m/rad with B = " in str(safe)
     K = safe.stiffest[0] / 2
     assert safe.contains(f"{K} N m/rad", safe.stiffest[1])
-    with pytest.raises(ValueError, match=r"^inertia: is missing; the device has the inertia, and"):
+    with pytest.raises(ValueError, match=r"^inertia: is missing in the range of arms; the device"):
         knob.safe_walls()
 
 

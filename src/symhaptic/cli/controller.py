@@ -42,7 +42,7 @@ def controller(
     try:
         found = read(device)
         if found.wall is None:
-            refuse(f"{device}: has no wall; give a table [wall] with K and B")
+            raise BadDevice(f"{device}: has no wall; give a table [wall] with K and B")
         made = files(found.scene, *found.wall, single=precision is Precision.single)
         listing = "\n".join(sorted([*made, request.LISTING])) + "\n"
         request.write({**made, request.LISTING: listing}, output)

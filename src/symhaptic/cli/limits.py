@@ -250,7 +250,7 @@ def text(data: dict[str, Any]) -> str:
         at = "" if limit["frequency_hz"] is None else f", at {limit['frequency_hz']:.4g} Hz"
         return f"{limit['K']:.5g} {in_K} with B = {limit['B']:.4g} {in_B}{at}"
 
-    why = f"not told ({data['passivity_not_told']})" if "passivity_not_told" in data else ""
+    why = f"not computed ({data['passivity_not_told']})" if "passivity_not_told" in data else ""
     arm = f"arm              {data['arm']}; counts for stability, not for passivity"
     lines = [
         *([arm] if data["arm"] else []),
@@ -269,7 +269,7 @@ def text(data: dict[str, Any]) -> str:
             f"{'stable' if wall['stable'] else 'NOT STABLE'}{passive}",
             f"  with this B    stable up to {said(wall['stable_up_to'])}",
             f"                 passive up to {why or said(wall['passive_up_to'])}",
-            f"passivity margin {'not told' if why else spare}",
+            f"passivity margin {'not computed' if why else spare}",
             f"delay margin     {_delay_said(wall)}",
             f"  with this K    {_dampings_said(wall, in_B)}",
         ]

@@ -126,15 +126,21 @@ class Engine:
 
     @property
     def no_passivity(self) -> str:
-        """Why condition (4) does not tell whether walls of this loop are passive, or nothing."""
+        """Why condition (4) does not apply to this loop, or nothing."""
         simulated = self.integrator != "hold"
         for given, why in (
             (simulated, f"integrator={self.integrator!r}: a simulator is no device"),
-            (bool(self.parts), "(4) is of a mass on which the force acts at once"),
-            (isinstance(self.velocity, Oversampled), "velocity=Oversampled(): (4) is of one rate"),
-            (isinstance(self.velocity, Measured), "velocity=Measured(): (4) is of positions alone"),
-            (self.coupling is not None, "coupling: (4) is of a wall without a coupling"),
-            (self.delay % 1, "delay: with a filter (4) is of whole periods"),
+            (bool(self.parts), "condition (4) needs a force that acts on the mass without a lag"),
+            (
+                isinstance(self.velocity, Oversampled),
+                "velocity=Oversampled(): condition (4) needs one rate",
+            ),
+            (
+                isinstance(self.velocity, Measured),
+                "velocity=Measured(): condition (4) needs positions",
+            ),
+            (self.coupling is not None, "coupling: condition (4) needs a wall without a coupling"),
+            (self.delay % 1, "delay: with a filter condition (4) needs an integer delay"),
         ):
             if given:
                 return why
@@ -144,7 +150,7 @@ class Engine:
     def needs(self) -> Needs:
         """What walls need of the device's damping, where (4) tells it."""
         if self.no_passivity:
-            raise ValueError(f"{self.no_passivity}; passivity is not told, ask for stability")
+            raise ValueError(f"{self.no_passivity}; passivity is not computed, ask for stability")
         if self.delay > LONGEST:
             raise ValueError(
                 f"delay: {self.delay!r} periods are too long for passivity with a filter or a "

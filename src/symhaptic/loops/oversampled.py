@@ -44,7 +44,7 @@ class Oversampled(Measured):
     --------
     >>> from symhaptic.loops.velocity import LowPass
     >>> Oversampled(LowPass(cutoff=200), times=4).words
-    'difference behind a low-pass of first order, 200 Hz, backward Euler, 4 readings a period'
+    'difference filtered by a low-pass of first order, 200 Hz, backward Euler, 4 readings a period'
     """
 
     velocity: Velocity

@@ -38,7 +38,7 @@ class Needs:
             if len(bends) > 1 and (np.abs(roots(bends) + 1) > 1 + _ROUNDED).any():
                 raise ValueError(
                     f"velocity: {velocity.words} is unstable with this sampling period; passivity "
-                    "is not told, give a stable filter"
+                    "is not computed, give a stable filter"
                 )
         uniform = np.linspace(0, np.pi, 32 * turns + 256)
         self.theta = grid(uniform, 1e-9 / turns, bends)

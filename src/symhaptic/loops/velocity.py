@@ -224,9 +224,11 @@ class LowPass(Velocity):
             if v is not None
         )
         if self.weight is not None:
-            return f"difference behind an exponential average of weight {value:g}"
+            return f"difference filtered by an exponential average of weight {value:g}"
         order = "first" if self.order == 1 else "second"
-        return f"difference behind a low-pass of {order} order, {value:g} {unit}, {self.mapping}"
+        return (
+            f"difference filtered by a low-pass of {order} order, {value:g} {unit}, {self.mapping}"
+        )
 
 
 def _count(name: str, value: int) -> int:
@@ -343,7 +345,7 @@ class Filter(Velocity):
     @property
     def words(self) -> str:
         """What a person reads of it."""
-        return f"difference behind the filter {list(self.numerator)}/{list(self.denominator)}"
+        return f"difference filtered by {list(self.numerator)}/{list(self.denominator)}"
 
 
 _TERMS = 7

@@ -344,8 +344,11 @@ class ArmRange:
 def checked_range(arms: ArmRange, rotary: bool) -> ArmRange:
     """The range, which has to be of arms that turn or move as the device does."""
     if arms.rotary != rotary:
-        name, other = ("inertia", "mass") if rotary else ("mass", "inertia")
-        raise ValueError(f"{name}: is missing; the device has the {name}, and the arms the {other}")
+        name, range_ = ("inertia", "[0, 1e-4]") if rotary else ("mass", "[0, 5]")
+        raise ValueError(
+            f"{name}: is missing in the range of arms; the device has the {name}, so give the "
+            f"arms theirs, such as {name} = {range_}"
+        )
     return arms
 
 

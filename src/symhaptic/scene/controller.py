@@ -26,8 +26,8 @@ def files(scene: DeviceLoop, K: float, B: float, single: bool = False) -> dict[s
     velocity = scene.velocity or Difference()
     if isinstance(velocity, Measured):
         raise ValueError(
-            f"velocity: {velocity!r} cannot be computed in C; give a velocity that is computed "
-            "from sampled positions, such as Difference()"
+            f"velocity: {velocity.words} cannot be computed in C; give a velocity that is computed "
+            "from one position a period, such as Difference() or LowPass(cutoff=...)"
         )
     if not is_stable(scene, K, B):
         raise ValueError(f"K: {K!r} with B={B!r} is not stable for this device; give a stable wall")

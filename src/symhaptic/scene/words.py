@@ -63,7 +63,7 @@ def facts(scene: DeviceLoop) -> dict[str, str]:
         found["stable up to"] = _limit(scene, most.K, most.frequency_hz, most.B)
         found["without B"] = _limit(scene, free.K, free.frequency_hz)
     if why := why_not_passive(scene):
-        found["passive up to"] = f"not told ({why})"
+        found["passive up to"] = f"not computed ({why})"
     elif scene.damping:
         safe = max_passive_stiffness(scene)
         found["passive up to"] = _limit(scene, safe.K, safe.frequency_hz, safe.B)

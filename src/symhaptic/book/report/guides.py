@@ -20,6 +20,11 @@ BESIDE = {"contributing": "CONTRIBUTING.md", "changelog": "CHANGELOG.md"}
 
 _LINK = re.compile(r"`([^`<]+) <(?:\.\./|docs/)?(\w+)\.md>`__")
 
+_PLACE = re.compile(r"(`[^`<]+ <)(?:\.\./|docs/)?(\w+)\.md(#[\w-]+>`__)")
+
+_LISTED = re.compile(r"(^|\| )(\(\d+\)) (?= +\S| *\|)", re.MULTILINE)
+"""A cell with the number of an equation alone, which reStructuredText reads as that of a list."""
+
 _PICTURE = re.compile(r"!\[[^\]]*\]\((\w+\.png)\)")
 
 
@@ -36,12 +41,15 @@ def more() -> dict[str, str]:
 def _pages(files: dict[str, str]) -> dict[str, str]:
     paths = {name: beside(file) for name, file in files.items()}
     return {
-        name: _LINK.sub(
-            lambda link: f":doc:`{link[1]} <{link[2].lower()}>`", turned(path.read_text("utf-8"))
-        )
-        for name, path in paths.items()
-        if path.is_file()
+        name: led(turned(path.read_text("utf-8"))) for name, path in paths.items() if path.is_file()
     }
+
+
+def led(text: str) -> str:
+    """A guide with its links to others as links to their pages, and no cell read as a list."""
+    text = _LISTED.sub(r"\1\\\2", text)
+    text = _PLACE.sub(lambda link: f"{link[1]}{link[2].lower()}.html{link[3]}", text)
+    return _LINK.sub(lambda link: f":doc:`{link[1]} <{link[2].lower()}>`", text)
 
 
 def pictures() -> list[Path]:

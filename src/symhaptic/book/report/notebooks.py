@@ -112,5 +112,9 @@ def _output(source: str, want: str) -> Any:
 
 def _linked(text: str) -> str:
     """Links to other guides, and pictures, as they lie beside the folder of the notebooks."""
-    text = re.sub(r"\]\((?:\.\./)?(\w+)\.md\)", lambda m: f"](../{m[1].lower()}.html)", text)
+    text = re.sub(
+        r"\]\((?:\.\./)?(\w+)\.md(#[\w-]+)?\)",
+        lambda link: f"](../{link[1].lower()}.html{link[2] or ''})",
+        text,
+    )
     return re.sub(r"\]\((\w+\.png)\)", r"](../_images/\1)", text)

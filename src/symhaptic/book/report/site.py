@@ -49,10 +49,11 @@ EXTRA = "extra"
 """Where the sources have what Sphinx takes over as it is."""
 
 OPENING = (
-    r"Every formula of \emph{Passivity and Stability Boundaries for Haptic Systems with Time "
-    r"Delay} (T. Hulin, A. Albu-Schäffer, G. Hirzinger, 2014), derived from first principles and "
-    "judged as published: by exact algebra, exact series, sign certificates or balls that contain "
-    "the value, joined by named theorems. Nothing rests on sampling."
+    "How stiff and how damped may a virtual wall be before it becomes active or unstable, for your "
+    "device, sampling rate and delay? The Python package symhaptic computes and proves the limits. "
+    r"It also checks every formula of \emph{Passivity and Stability Boundaries for Haptic Systems "
+    r"with Time Delay} (T. Hulin, A. Albu-Schäffer, G. Hirzinger, 2014). Each formula is derived "
+    "from first principles and proved or refuted as published. No verdict rests on sampling."
 )
 
 TASKS: tuple[tuple[str, Part], ...] = (
@@ -61,7 +62,7 @@ TASKS: tuple[tuple[str, Part], ...] = (
         "How stiff may my wall be?",
         [led("page", "limits"), ", or ", led("page", "explorer", "change a loop in the explorer")],
     ),
-    ("From a device to C in ten minutes", led("page", "tutorial")),
+    ("How is it installed, and what are the first steps?", led("page", "tutorial")),
     (
         "Which formula, and under which condition?",
         led("page", "results", "The formulas to use"),

@@ -1,6 +1,10 @@
-// Sphinx's weights of search results, with names of functions before pages that mention them.
+// Sphinx's weights of search results: names of functions first, then guides, then other pages.
+var Others = /^(s\d.*|changelog|contributing|design|errata|language|ledger|security|statements)$/;
 var Scorer = {
-  score: ([, title, , , score, , kind]) => kind === "object" && title.split(".").length === 2 ? score + 10 : score,
+  score: ([page, title, , , score, , kind]) => {
+    if (kind === "object") return title.split(".").length === 2 ? score + 10 : score;
+    return Others.test(page) ? score : score + 12;
+  },
   objNameMatch: 100,
   objPartialMatch: 50,
   objPrio: { 0: 15, 1: 5, 2: -5 },
