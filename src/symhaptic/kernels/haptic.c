@@ -1127,16 +1127,15 @@ static inline Delayed late_device_anew(REAL gamma, REAL delta, REAL part) {
 }
 KEEP_PART(Delayed, late_device)
 
-// 1 where the loop is stable, else 0
+// 1 where the loop is stable, 0 where it is not, -1 where that is not certain
 static inline REAL stable(REAL roots, REAL alpha, REAL beta, REAL gamma, REAL delta) {
     const REAL swing = M(sqrt)(gamma);
-    if (!(alpha == R(0.0) && beta == R(0.0) && delta == R(0.0) && gamma > R(0.0)) &&
+    const REAL yes = !(alpha == R(0.0) && beta == R(0.0) && delta == R(0.0) && gamma > R(0.0)) &&
         !(delta < PICK(1.1102230246251565e-15, 5.9604645e-07f) && gamma > R(1.0) &&
             swing >= PICK(2251799813685248.0, 4.194304e+06f)*
-        M(fabs)(M(sin)(swing))) && alpha > -gamma && roots == R(0.0)) {
-        return R(1.0);
-    }
-    return R(0.0);
+        M(fabs)(M(sin)(swing))) && alpha > -gamma && roots == R(0.0) ? R(1.0) : R(0.0);
+    return yes - ((alpha == R(0.0) && beta == R(0.0) && delta == R(0.0) && gamma > R(0.0)) ||
+        alpha <= -gamma || roots > R(0.0) || yes > R(0.0) ? R(0.0) : R(1.0));
 }
 
 // a point that is known about three, and whether it is on the circle
@@ -2058,14 +2057,14 @@ bool NAME(is_stable)(REAL alpha, REAL beta, REAL gamma, REAL delta, REAL d) {
     const REAL t3 = delta*device.n_gap;
     if (part == R(0.0)) {
         return stable(whole_roots(alpha, beta, d, device.n1, device.n0, gamma, device.at_minus_one,
-            t1, device.together, t3), alpha, beta, gamma, delta) != R(0.0);
+            t1, device.together, t3), alpha, beta, gamma, delta) > R(0.0);
     }
     const Delayed delayed = late_device(gamma, delta, part);
     return stable(fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, gamma,
         device.at_minus_one, t1, device.together, delayed.apart, R(0.5)*device.kick*
         (delta*delayed.m2 + R(2.0)*delayed.kicked) + R(0.5)*delayed.m2*
             (gamma*device.together + t1) - R(0.5)*
-        device.together + R(0.5)*t3), alpha, beta, gamma, delta) != R(0.0);
+        device.together + R(0.5)*t3), alpha, beta, gamma, delta) > R(0.0);
 }
 
 REAL NAME(unstable_roots)(REAL alpha, REAL beta, REAL gamma, REAL delta, REAL d) {

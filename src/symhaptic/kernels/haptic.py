@@ -1535,14 +1535,16 @@ def late_device(xp, gamma, delta, part):
 
 
 def stable(xp, roots, alpha, beta, gamma, delta):
-    """1 where the loop is stable, else 0"""
+    """1 where the loop is stable, 0 where it is not, -1 where that is not certain"""
     number, number2 = (5.960464477539062e-07, 4194304.0) if roots.dtype == xp.float32 else (
         1.1102230246251565e-15, 2251799813685248.0)
     swing = square_root(xp, gamma)
-    return xp.where((alpha > -gamma) & (roots == 0.0) &
+    yes_ = xp.where((alpha > -gamma) & (roots == 0.0) &
         (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0) & (gamma > 0.0))) &
         (~((delta < number) & (gamma > 1.0) & (swing >= number2*xp.abs(xp.sin(swing))))),
         xp.full_like(alpha, 1.0), 0.0)
+    return yes_ - xp.where(((alpha == 0.0) & (beta == 0.0) & (delta == 0.0) & (gamma > 0.0)) |
+        (alpha <= -gamma) | (roots > 0.0) | (yes_ > 0.0), xp.full_like(alpha, 0.0), 1.0)
 
 
 def nearest_point(xp, y, rest, off, center, beyond):
@@ -2586,7 +2588,7 @@ def is_stable(alpha, beta, gamma, delta, d):
     roots = unstable_roots(alpha, beta, gamma, delta, d)
 
     def work(roots, alpha, beta, gamma, delta):
-        return stable(xp, roots, alpha, beta, gamma, delta) != 0.0
+        return stable(xp, roots, alpha, beta, gamma, delta) > 0.0
 
     return settled(xp, work, roots, alpha, beta, gamma, delta)
 

@@ -1027,13 +1027,12 @@ def late_device(gamma, delta, part):
 
 def stable(roots, alpha, beta, gamma, delta):
   swing = sqrt(gamma)
-  if alpha > -gamma and not ( \
+  yes = 1.0 if alpha > -gamma and not ( \
       alpha == 0.0 and beta == 0.0 and delta == 0.0 and gamma > 0.0) and not ( \
       delta < 1.1102230246251565e-15 and gamma > 1.0 and swing >= 2251799813685248.0* \
-      abs(sin(swing))) and roots == 0.0:
-    Stable_out = 1.0
-  else:
-    Stable_out = 0.0
+      abs(sin(swing))) and roots == 0.0 else 0.0
+  Stable_out = yes - (0.0 if ( \
+      alpha == 0.0 and beta == 0.0 and delta == 0.0 and gamma > 0.0) or alpha <= -gamma or roots > 0.0 or yes > 0.0 else 1.0)
   return Stable_out
 
 def nearest_point(y, rest, off, center, beyond):
@@ -1446,12 +1445,12 @@ def is_stable(alpha, beta, gamma, delta, d):
   t3 = delta*n_gap
   if part == 0.0:
     stable__out = stable(whole_roots(alpha, beta, d, n1, n0, gamma, at_minus_one, t1, together, \
-        t3), alpha, beta, gamma, delta) != 0.0
+        t3), alpha, beta, gamma, delta) > 0.0
   else:
     apart, m2, kicked, m0 = late_device(gamma, delta, part)
     stable__out = stable(fractional_roots(alpha, beta, whole, m2, m0, gamma, at_minus_one, t1, \
         together, apart, 0.5*kick_of*(delta*m2 + 2.0*kicked) + 0.5*m2*(gamma*together + t1) - 0.5* \
-        together + 0.5*t3), alpha, beta, gamma, delta) != 0.0
+        together + 0.5*t3), alpha, beta, gamma, delta) > 0.0
   return stable__out
 
 def unstable_roots(alpha, beta, gamma, delta, d):

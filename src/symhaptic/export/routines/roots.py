@@ -415,18 +415,19 @@ def whole_roots(given, precision):
 
 @routine()
 def stable(roots, alpha, beta, gamma, delta, precision):
-    """1 where the loop is stable, else 0"""
+    """1 where the loop is stable, 0 where it is not, -1 where that is not certain"""
     # no root outside, none at 1, and no device that swings on whatever the wall does
     swing = do("swing", sqrt(gamma))
     free = And(Eq(alpha, 0), Eq(beta, 0), Eq(delta, 0), gamma > 0)
     bound = 2 * precision.last * swing
     stuck = And(delta < 5 * precision.last, gamma > 1, Abs(sp.sin(swing)) <= bound)
-    return choose(And(Eq(roots, 0), alpha > -gamma, Not(free), Not(stuck)), 1, 0)
+    yes = do("yes", choose(And(Eq(roots, 0), alpha > -gamma, Not(free), Not(stuck)), 1, 0))
+    return yes - choose(Or(yes > 0, roots > 0, alpha <= -gamma, free), 0, 1)
 
 
 @routine()
 def free_stable(alpha, beta, d, n1, n0, at_minus_one, loss, together, apart, precision):
-    """1 where a loop without a spring is stable, else 0"""
+    """1 where a loop without a spring is stable, 0 where it is not, -1 where that is not certain"""
     # the angle is that of the crossing; no turn is left of its phase where none is outside
     last = unit(precision)
     slope, force, far = _wall()
@@ -443,8 +444,11 @@ def free_stable(alpha, beta, d, n1, n0, at_minus_one, loss, together, apart, pre
     turns = do("turns", phase_turns(point, loop))
     end, _ = _at_the_end(far, last, a_off)
     pull = do("weaker", Abs(apart * far) - at_minus_one)
-    weak = And(alpha > 0, pull < 0, Not(end), Not(_faint(precision, S.Zero)))
-    return choose(weak, choose(Eq(turns, 0), 1, 0), 0)
+    clear = And(Not(end), Not(_faint(precision, S.Zero)))
+    kicked = Abs(n0 * beta) > 2  # by more than 1, with a margin: the product of all roots
+    counted = choose(Eq(turns, 0), 1, choose(Or(Abs(turns) > 0, kicked), 0, -1))  # turns may be NaN
+    strong = choose(Or(alpha <= 0, kicked, And(pull >= 0, clear)), 0, -1)
+    return choose(And(alpha > 0, pull < 0, clear), counted, strong)
 
 
 # -- behind a fraction of a period -------------------------------------------------------------
