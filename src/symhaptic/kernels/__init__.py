@@ -8,7 +8,7 @@ for floats.  `symhaptic kernels` writes all but these three and `filter.h` from 
 `export/routines`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "483fde069857bb9a"
+STAMP = "62020b49d4579f04"
 """Of the sources in C, as the module that is compiled of them has it."""
 
 OF_NUMBERS = ("discretize", "is_stable", "unstable_roots", "stability_boundary", "passivity_margin")

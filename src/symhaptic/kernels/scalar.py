@@ -614,21 +614,41 @@ def device_at_minus_one_kick_together_n_gap_n0_n1(gamma, delta):
   return at_minus_one_out, kick__out, together_out, n_gap_out, n0_out, n1_out
 
 def cubic_root(k0, k1, k2, k3, low, high, rise):
-  convex = 1.0 if 2.0*k2 + 3.0*k3*(high + low) > 0.0 else -1.0
+  three = 3.0*k3
+  two = 2.0*k2
+  convex = 1.0 if three*(high + low) + two > 0.0 else -1.0
   down = 1.0 if convex*rise > 0.0 else -1.0
-  y = high if down > 0.0 else low
+  begin = 0.0 if convex*k0 > 0.0 and high > 0.0 and low < 0.0 else (high if down > 0.0 else low)
+  end = 0.0 if convex*k0 <= 0.0 and high > 0.0 and low < 0.0 else (low if down > 0.0 else high)
+  part = 0.0625*begin
+  above = 1.0 if abs(end) < abs(part) and convex* \
+      (k0 + part*(k1 + part*(k2 + k3*part))) > 0.0 else 0.0
+  begin2 = part if above > 0.0 else begin
+  end2 = part if above <= 0.0 and abs(end) < abs(part) else end
+  for count_begin2 in range(8):
+    if abs(begin2) <= 16.0*max(1.499696813895631e-241, abs(end2)):
+      break
+    size = sqrt(abs(begin2))*sqrt(max(1.499696813895631e-241, abs(end2)))
+    at = -size if begin2 < 0.0 else size
+    outside = 1.0 if convex*(at*(at*(at*k3 + k2) + k1) + k0) > 0.0 else 0.0
+    next_begin = at if outside > 0.0 else begin2
+    next_end = end2 if outside > 0.0 else at
+    end2 = next_end
+    begin2 = next_begin
+  y = begin2
   moves = 1.0
-  for count_y in range(1000):
+  for count_y in range(98):
     if moves == 0.0:
       break
-    steep = k1 + y*(2.0*k2 + 3.0*k3*y)
+    steep = k1 + y*(three*y + two)
     some = 1.0 if steep == 0.0 else steep
     move = 0.0 if steep == 0.0 else (k0 + y*(k1 + y*(k2 + k3*y)))/some
     new = min(high, y - move)
     new2 = max(low, new)
-    next_moves = 1.0 if down*(y - new2) > 0.0 else 0.0
-    moves = next_moves
-    y = new2
+    moves2 = 1.0 if down*(y - new2) > 0.0 else 0.0
+    next_y = new2 if moves2 > 0.0 else y
+    moves = moves2
+    y = next_y
   CubicRoot_out = y
   return CubicRoot_out
 
