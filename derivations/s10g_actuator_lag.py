@@ -5,20 +5,19 @@ treat this lag as an additional delay of $\tau_a$. For a free mass we derive the
 with the lag, and ask whether the advice is conservative.
 """
 
-from sympy import Matrix, Poly, cos, exp, eye, pi, sin
+from sympy import Matrix, cos, exp, eye, pi, sin, sqrt
 
-from symhaptic.book.lemmas.circulation import outside
+from symhaptic.book.lemmas.circulation import inside, outside
 from symhaptic.book.lemmas.decided import SI, escapes
 from symhaptic.book.lemmas.held_motion import show_motion
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.loops.actuator import lagging
 from symhaptic.loops.plant import moving_mass
 from symhaptic.notation import tau_a
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.rules.other_loops import FADING, FOLLOWING, LAG, LAGGING
+from symhaptic.rules.other_loops import BEHIND, FADING, FOLLOWING, LAG, LAGGING, SWINGING
 
-RULE = "rules:lag-as-delay"
+RULE, BELOW = "rules:lag-as-delay", "rules:lag-below-delay"
 
 
 def derive(page):
@@ -75,13 +74,12 @@ def derive(page):
 
 
 def _with_a_spring(page):
-    """A device that swings: there a delay may be worth more than the lag."""
-    lag, swing = LAG, pi / 2
-    device = lagging(moving_mass(swing**2), lag)
+    """A device that swings: there the lag may cost more than an equal delay."""
+    lag, swing = LAG, sqrt(gamma)
+    device = lagging(moving_mass(gamma), lag)
     page.say(
-        "A device with a spring is different. Take one without damping that swings once in four "
-        "periods, $\\gamma=\\pi^2/4$. Its motion with the lag is again $\\Phi(t)$ times the state "
-        "and $\\Gamma(t)F$:"
+        "A device with a spring is different. Without damping, its motion with the lag is again "
+        "$\\Phi(t)$ times the state and $\\Gamma(t)F$:"
     )
     fall, turn, rise = exp(-t / lag), cos(swing * t), sin(swing * t)
     pulled = lag**2 / (1 + swing**2 * lag**2) * (fall - turn + rise / (swing * lag))
@@ -95,21 +93,39 @@ def _with_a_spring(page):
     )
     push = Matrix([held, held.diff(t), 1 - fall])
     show_motion(page, device, (phi, push), "xvu", "obeys the equations of spring and actuator")
-    wall = {alpha: swing**2 / 10, beta: swing**2 / 20, gamma: swing**2, delta: S.Zero, d: S(3)}
-    polynomial = closed_loop(phi, push, wall).subs(lag, wall[d])
-    page.lemma(
-        "With a delay of three periods $\\alpha=\\frac{\\pi^2}{40}$, $\\beta=\\frac{\\pi^2}{80}$ "
-        "is stable",
-        stable_at(wall),
-    )
-    page.lemma(
-        "With a lag of three periods it is not",
-        root_outside(Poly(polynomial, z).as_expr(), z),
-        because="the delay of three quarters of a swing turns the spring of the wall into a damper",
+    page.step(
+        "With a wall the loop has this polynomial",
+        closed_loop(phi, push, {alpha: alpha, beta: beta}) * gamma * (1 + gamma * lag**2),
+        SWINGING.of[0].subs({K: alpha, B: beta, T: 1, m: 1, k: gamma, FADING: exp(-1 / lag)}),
+        name=r"\gamma(1+\gamma\tau^2)\det(z-A)",
     )
     page.say(
-        "So it is not true of every device that a lag never costs more than its delay. A lag turns "
-        "the phase by less than a right angle and cannot replace such a delay."
+        "Take a device that swings once in four periods, $\\gamma=\\pi^2/4$, and a delay that is "
+        "three quarters of a swing:"
+    )
+    spring = pi**2 / 4
+    late = {alpha: spring / 10, beta: spring / 20, gamma: spring, delta: S.Zero, d: S(3)}
+    still = page.lemma(
+        "With a delay of three periods $\\alpha=\\frac{\\pi^2}{40}$, $\\beta=\\frac{\\pi^2}{80}$ "
+        "is stable",
+        inside(late),
+    )
+    wall = {K: late[alpha], B: late[beta], T: S.One, m: S.One, k: late[gamma], tau_a: S(3)}
+    grown = page.lemma(
+        "With a lag of three periods it is not",
+        escapes(SWINGING.at(BEHIND), wall),
+        because="the delay of three quarters of a swing turns the spring of the wall into a damper",
+    )
+    page.settle(
+        BELOW,
+        conj(still, grown),
+        instead=both([still.conclusion, grown.conclusion]),
+        corrected=[r"\text{a lag has to be judged as a lag}"],
+        misprint=False,
+        unless=[(wall | {d: late[d]}, still, grown)],
+        shows="a device that swings once in four periods, with a lag and a delay of three periods",
+        note="a lag turns the phase by less than a right angle and cannot replace a delay that "
+        "damps. Model the actuator with its lag",
     )
 
 

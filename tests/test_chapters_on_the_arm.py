@@ -15,7 +15,7 @@ from chapters import chapter
 from scipy.optimize import linprog
 
 import symhaptic.paper.tables as tables
-from symhaptic.book.figures.passivity import STYLE, WIDTH
+from symhaptic.book.figures.style import STYLE, WIDTH
 
 # Table II: reference, m_H/kg, k_H/(N/m), b_H/(Ns/m)
 ARMS = """

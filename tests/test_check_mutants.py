@@ -265,6 +265,10 @@ MUTANTS = {
         "delay_margin",
         margin(lambda m, *p: float(np.floor(m)) if m < 1e9 else m),
     ),
+    "delay_margin: long is infinite": (
+        "delay_margin",
+        margin(lambda m, *p: np.inf if m > 1000.0 else m),
+    ),
     "delay_margin: infinite is 1000": ("delay_margin", margin(lambda m, *p: min(m, 1000.0))),
     "delay_margin: half a period too long": (
         "delay_margin",

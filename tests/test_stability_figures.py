@@ -10,7 +10,7 @@ from chapters import chapter
 from oracle import moduli, radius
 
 from symhaptic.book.figures import stability as drawn
-from symhaptic.book.figures.passivity import STYLE
+from symhaptic.book.figures.style import STYLE
 
 CHAPTERS = [
     "s4d_figure7_undelayed",

@@ -2,8 +2,8 @@
 
 import pytest
 
-from symhaptic.book.figures.passivity import save
 from symhaptic.book.figures.rests import columns, direct, graph
+from symhaptic.book.figures.style import save
 
 CHAIN = {2: frozenset({1}), 3: frozenset({1, 2}), 5: frozenset({3, 4, 1})}
 

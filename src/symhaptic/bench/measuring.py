@@ -113,7 +113,7 @@ def write(record: dict[str, Any], folder: Path) -> bool:
     if find_spec("matplotlib") is None:
         return False
     from symhaptic.book.figures.bench import drawings
-    from symhaptic.book.figures.passivity import save
+    from symhaptic.book.figures.style import save
 
     for name, (draw, panels, height) in drawings(record).items():
         for format in FORMATS:

@@ -313,10 +313,10 @@ def _in_si(at: At) -> At:
 
 
 def _on_curve(at: At) -> At:
-    """Two of three walls on the boundary of a delay of up to 1000 periods."""
+    """Two of three walls on the boundary of a delay of up to 1e5 periods."""
     i = np.arange(at["alpha"].size)
     turn, size = (i * 0.6180339887498949) % 1, (i * 0.7548776662466927) % 1
-    delay = np.where(i % 2, 8 * size, 10 ** (3 * size))
+    delay = np.where(i % 2, 8 * size, 10 ** (5 * size))
     theta = np.pi / (delay + 1) * (0.02 + 0.6 * turn)
     wall = stability_boundary(theta, at["gamma"], at["delta"], delay)
     known = (i % 3 > 0) & np.isfinite(wall[0])

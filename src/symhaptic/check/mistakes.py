@@ -344,7 +344,8 @@ def _wrong(right: Columns, mine: Any) -> bool:
     """Whether more than cancellation parts the numbers that are there from what is right."""
     wanted = np.array(right).T[:, : mine.shape[1]]
     both = np.isfinite(wanted) & np.isfinite(mine)
-    far = np.abs(mine - wanted)[both] > 1e-2 * np.maximum(np.abs(wanted[both]), 1e-12)
+    there, mine = wanted[both], mine[both]
+    far = np.abs(mine - there) > 1e-2 * np.maximum(np.abs(there), 1e-12)
     return bool(far.size and far.mean() > 1 - _MOST)
 
 

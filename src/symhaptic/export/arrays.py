@@ -280,7 +280,7 @@ def of_both(
             return one[0]
         pair = _signed(one), _signed(other)
         if pair not in names:
-            names[pair] = _fresh(_KNOWN.get(pair) or _usual(pair[0]), used)
+            names[pair] = fresh(_KNOWN.get(pair) or _usual(pair[0]), used).name
         return f"{' + ' * bool(one['sign'])}{names[pair]}"
 
     found = []
@@ -303,15 +303,6 @@ def _signed(number: re.Match[str]) -> str:
 def _usual(number: str) -> str:
     """What counts is where a series begins; for slow poles it begins later."""
     return "begin" if number.isdigit() else "number"
-
-
-def _fresh(name: str, used: set[str]) -> str:
-    free, count = name, 1
-    while free in used:
-        count += 1
-        free = f"{name}{count}"
-    used.add(free)
-    return free
 
 
 def _of(precision: Precision) -> dict[str, str]:
@@ -396,11 +387,12 @@ class Scope:
                     self._renamed(symbol, idle)
                 names = [self.name(s) if s in used else "_" for s in statement.names]
                 lines.append(pad + self.target.unpacked(names, name, args))
-            elif isinstance(statement, Join) and self.block[i + 1 :] == (Return(statement.names),):
-                lines += self._selected(statement, depth, f"{pad}return")
-                break
             elif isinstance(statement, Join):
-                lines += self._join(statement, depth)
+                returned = self.block[i + 1 :] == (Return(statement.names),)
+                start = "return" if returned else f"{', '.join(self.named(statement.names))} ="
+                lines += self._selected(statement, depth, pad + start)
+                if returned:
+                    break
             elif isinstance(statement, Choice):
                 lines += self._choice(statement, depth)
             else:
@@ -425,17 +417,13 @@ class Scope:
             return [f"{pad}return {self.printer.doprint(whole)}"]
         return self._selected(choice, depth, f"{pad}return")
 
-    def _join(self, join: Join, depth: int) -> list[str]:
-        """The names with their values, each side computed where it counts."""
-        names = ", ".join(self.named(join.names))
-        return self._selected(join, depth, f"{'    ' * depth}{names} =")
-
     def _selected(self, choice: Choice | Join, depth: int, start: str) -> list[str]:
+        """What ``start`` gives or returns, each side computed where it counts."""
         lines: list[str] = []
         given: list[tuple[str, str]] = []
         condition = self.condition(choice.condition)
         for name, block in (("yes", choice.yes), ("no", choice.no)):
-            wanted = inputs(block) or _first(choice.condition)
+            wanted = inputs(block) or sorted(choice.condition.free_symbols, key=str)[:1]
             inside = Scope(self.target, block)
             made = self._function(name, inside, wanted, depth)
             side = _short(made)
@@ -577,10 +565,7 @@ class Scope:
 
     def like(self, condition: Expr) -> str:
         """An array of the kind that a condition looks at."""
-        return min(self._symbols(condition))
-
-    def _symbols(self, expr: Expr) -> list[str]:
-        return self.named(expr.free_symbols)
+        return min(self.named(condition.free_symbols))
 
 
 _OF_NUMBERS = "FastTwoSum", "TwoDiff", "PairSum", "PairDiff", "OnePlus", "OneMinus", "ScaledSum"
@@ -605,10 +590,6 @@ def _short(lines: list[str]) -> str:
 def _several(text: str) -> bool:
     """Whether a comma stands outside of all brackets."""
     return any(c == "," and depth(text[:at]) == 0 for at, c in enumerate(text))
-
-
-def _first(condition: Expr) -> list[Symbol]:
-    return sorted(condition.free_symbols, key=str)[:1]
 
 
 def _listed(names: list[str]) -> str:
@@ -691,10 +672,10 @@ class ArrayApi(Target):
         name, given = self.call(routine.name), self._named(routine.arguments)
         arguments = ", ".join(["xp", *given])
         head = [*wrapped([f"def {name}({arguments}):"]), *_documented([routine.about])]
-        body = _without_gap(self._body(routine, 1))
+        body = self._body(routine)
         if brief is None:
             return [*head, *_narrow(body)]
-        other = _without_gap(self._body(brief, 1))
+        other = self._body(brief)
         if (both := of_both(body, other, given)) is not None:
             found, numbers = both
             if numbers:
@@ -717,7 +698,7 @@ class ArrayApi(Target):
         head = f"def {self.call(routine.name)}({', '.join(names)}):"
         lines = ["@by_value", *wrapped([head]), *_documented(about)]
         if not names:
-            return [*lines, "    (xp,) = arrays()", *self._body(routine, 1)]
+            return [*lines, "    (xp,) = arrays()", *self._written(lazy(routine), 1)]
         lines.append(f"    {', '.join(['xp', *names])} = arrays({', '.join(names)})")
         plant, work = hoisted(routine)
         for other in library.forms:
@@ -744,7 +725,7 @@ class ArrayApi(Target):
             call = f'guarded(xp, {name}, "{inside}", {many}, {shown}, {given})'
             results = ", ".join(self._named(Symbol(n) for n, _ in part.results))
             lines.append(f"    return {call}" if part is work else f"    {results} = {call}")
-        return [line for long in lines for line in in_brackets(long)]
+        return _narrow(lines)
 
     def _asked(self, form: Form, part: Routine, conditions: Mapping[Boolean, str]) -> Iterable[str]:
         """What its arguments are asked for, by the names of the conditions."""
@@ -760,8 +741,10 @@ class ArrayApi(Target):
             lines.append(f'    "{name}": lambda xp, most, {self.rename(symbol.name)}: {shown},')
         return [*lines, "}", '"""What is true of each argument inside its domain alone."""']
 
-    def _body(self, routine: Routine, depth: int) -> list[str]:
-        return self._written(lazy(routine), depth)
+    def _body(self, routine: Routine) -> list[str]:
+        """Of a helper; its first line is not blank."""
+        body = self._written(lazy(routine), 1)
+        return body[1:] if body[0] == "" else body
 
     def _written(self, block: Block, depth: int) -> list[str]:
         return Scope(self, functional(block)).written(depth)
@@ -808,11 +791,6 @@ def _in_terms_of(form: Form, other: Form) -> Routine | None:
     (verdict,) = verdicts
     given = (Symbol(name), *(s for s in form.arguments if verdict.has(s)))
     return Routine(form.name, form.title, given, (), ((form.name, verdict),))
-
-
-def _without_gap(body: list[str]) -> list[str]:
-    """A body whose first line is not blank."""
-    return body[1:] if body[0] == "" else body
 
 
 def _narrow(lines: Iterable[str]) -> list[str]:

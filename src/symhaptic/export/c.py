@@ -224,8 +224,6 @@ class Records:
 
     def given(self, name: str, arguments: Sequence[str]) -> list[str]:
         """The arguments of a call, which are given as they are written, with pairs."""
-        if name not in self.routines:
-            return list(arguments)
         called = self.routines[name]
         shown = dict(zip(_arguments(called), arguments, strict=True))
         records = [self._record(kind, own, shown) for kind, own in self._taken(called).items()]
@@ -328,34 +326,47 @@ def _pair(part: tuple[str, ...], variable: str) -> dict[str, str]:
 # -- C99 -----------------------------------------------------------------------------------------
 
 
-KEYWORDS = vocabulary(
+CPP_KEYWORDS = vocabulary(
     "auto break case char const continue default do double else enum extern float for goto if "
-    "inline int long register restrict return short signed sizeof static struct switch "
-    "typedef union unsigned void volatile while _Bool _Complex _Imaginary main"
+    "inline int long register restrict return short signed sizeof static struct switch typedef "
+    "union unsigned void volatile while _Bool _Complex _Imaginary main alignas alignof and and_eq "
+    "asm bitand bitor bool catch char16_t char32_t class compl constexpr const_cast decltype "
+    "delete dynamic_cast explicit export false friend mutable namespace new noexcept not not_eq "
+    "nullptr operator or or_eq private protected public reinterpret_cast static_assert static_cast "
+    "template this thread_local throw true try typeid typename using virtual wchar_t xor xor_eq "
+    "std"
 )
-
-CPP_KEYWORDS = KEYWORDS | vocabulary(
-    "alignas alignof and and_eq asm bitand bitor bool catch char16_t char32_t class compl "
-    "constexpr const_cast decltype delete dynamic_cast explicit export false friend mutable "
-    "namespace new noexcept not not_eq nullptr operator or or_eq private protected public "
-    "reinterpret_cast static_assert static_cast template this thread_local throw true try "
-    "typeid typename using virtual wchar_t xor xor_eq std"
-)
-"""Those of C++ too, since its programs read the header."""
+"""Those of C and of C++, whose programs read the header of C, too."""
 
 
-class C(Target):
-    """One source file and its header."""
+class Family(Target):
+    """What C and C++ have in common."""
 
-    name, title, keywords = "c", "C99", CPP_KEYWORDS
-    shares = proves = samples = True
-    helper = "static inline"
-    """What declares a function that others here call: inlined, they take a tenth less time."""
-    modules = reserved.C
+    keywords = CPP_KEYWORDS
+    shares = True
     each = (
         "for (int n = {first}; n >= {last}; n -= {step}) {{",
         "    const {real} {name} = inverse_factorial[n];",
     )
+
+    @property
+    def late(self) -> str:
+        """The type."""
+        return self.real
+
+    def number(self, value: float) -> str:
+        """A literal of the type."""
+        return super().number(value) + ("" if self.precision is DOUBLE else "f")
+
+
+class C(Family):
+    """One source file and its header."""
+
+    name, title = "c", "C99"
+    proves = samples = True
+    helper = "static inline"
+    """What declares a function that others here call: inlined, they take a tenth less time."""
+    modules = reserved.C
     operations = called(
         "",
         Abs="fabs({0})",
@@ -383,18 +394,9 @@ class C(Target):
     places = Places()
     """Where its names are that are in a record."""
 
-    @property
-    def late(self) -> str:
-        """The type."""
-        return self.real
-
     def rename(self, name: str) -> str:
         """As in all languages; in a routine, of a number in a record that record and its field."""
         return self.places.written.get(name) or super().rename(name)
-
-    def number(self, value: float) -> str:
-        """A literal of the type."""
-        return super().number(value) + ("" if self.precision is DOUBLE else "f")
 
     def source(self, library: Library) -> dict[str, str]:
         """NAME.c and NAME.h."""

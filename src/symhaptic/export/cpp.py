@@ -4,24 +4,18 @@ from __future__ import annotations
 
 from symhaptic.export import package, reserved
 from symhaptic.export.branches import guarded
-from symhaptic.export.c import CPP_KEYWORDS
-from symhaptic.export.language import Target, called, describe
+from symhaptic.export.c import Family
+from symhaptic.export.language import called, describe
 from symhaptic.export.package import FLAGS, STRICT
-from symhaptic.export.precision import DOUBLE
 from symhaptic.export.routine import Library, Routine
 from symhaptic.export.statements import braces, wrapped
 
 
-class Cpp(Target):
+class Cpp(Family):
     """One source file and its header; several results are a std::array."""
 
-    name, title, keywords = "cpp", "C++17", CPP_KEYWORDS
-    shares = True
+    name, title = "cpp", "C++17"
     modules = reserved.CPP
-    each = (
-        "for (int n = {first}; n >= {last}; n -= {step}) {{",
-        "    const {real} {name} = inverse_factorial[n];",
-    )
     operations = single = called(
         "std::",
         Abs="std::fabs({0})",
@@ -31,15 +25,6 @@ class Cpp(Target):
         Min="std::fmin({0}, {1})",
         TwoProdError="std::fma({0}, {1}, -({0}*{1}))",
     )
-
-    @property
-    def late(self) -> str:
-        """The type."""
-        return self.real
-
-    def number(self, value: float) -> str:
-        """A literal of the type."""
-        return super().number(value) + ("" if self.precision is DOUBLE else "f")
 
     def source(self, library: Library) -> dict[str, str]:
         """NAME.cpp and NAME.hpp."""

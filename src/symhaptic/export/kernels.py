@@ -49,11 +49,15 @@ _OF_NUMBERS = (
 
 _ABOUT = '''"""How does a call compute?  The stable forms as generated code, which imports nothing.
 
-`haptic.c` has the functions in C; `ufuncs.cpp`, written by hand, calls them in a loop over arrays,
-and `table.h` lists them for it.  `filter.cpp` judges most walls before, and `delay.cpp` finds
-most delay margins.  ``haptic`` has the same functions for arrays of any library, ``scalar`` some
-for floats.  `symhaptic kernels` writes all but these three and `filter.h` from the routines of
-`export/routines`.  Imports nothing; used by ``numeric``.
+* `haptic.c`, `haptic_single.c`, `table.h`: the functions in C, in two precisions, and their list
+* ``haptic``, ``scalar``: the same functions for arrays of any library, and some for floats
+* `ufuncs.cpp`: their loops over arrays; `filtered_loop` is that of `is_stable`
+* `filter.cpp`: judges most walls of that loop, in blocks
+* `ordinary.cpp`: computes other functions of ordinary arguments in blocks
+* `delay.cpp`: finds most delay margins
+
+`symhaptic kernels` writes the first five from the routines of `export/routines`; the others and
+their headers are written by hand.  Imports nothing; used by ``numeric``.
 """
 
 STAMP = "%s"

@@ -8,6 +8,7 @@
 * ``certified``, ``digits``: verdicts and values in balls, where they are asked for
 * ``slopes``: derivatives in JAX
 * ``crossings``, ``cubic``, ``extremum``: what root counts and searches need
+* ``renamed``, ``column``: old names of arguments; pictures of the width of a column
 
 `Scene` gives these functions units: see ``scene``.  Imports ``kernels``, ``balls`` and of
 ``notation`` nothing symbolic; used by ``loops``, ``bounds``, ``book``, ``scene``, ``sweeps``,

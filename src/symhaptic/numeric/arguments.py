@@ -77,18 +77,18 @@ def finite(name: str, values: ArrayLike) -> Array:
     return array
 
 
-def nonnegative(name: str, values: ArrayLike | Fraction) -> Array:
-    """The argument as an array of finite numbers >= 0 or NaN."""
+def checked(name: str, values: ArrayLike | Fraction) -> Array:
+    """The argument as an array of NaN and of what the argument of this name may be."""
     array = real(name, values)
-    _nonnegative(name, array, np)
+    check(name, array, np)
     return array
 
 
-def periods(name: str, values: ArrayLike | Fraction) -> Array:
-    """The argument as an array of delays >= 0 or NaN."""
-    array = real(name, values)
-    _periods(name, array, np)
-    return array
+def of_loop(name: str, values: ArrayLike) -> float:
+    """One number >= 0: gamma, delta or the delay of a loop."""
+    array = checked(name, values)
+    refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0")
+    return single(name, array)
 
 
 def check(name: str, array: Any, xp: Any) -> None:
@@ -157,12 +157,10 @@ def unitless(name: str, values: Array, found: Array) -> Array:
     return found
 
 
-def one_of(name: str, value: str, allowed: tuple[str, ...]) -> str:
-    """The argument, which must be one of a few words."""
-    if not isinstance(value, str) or value not in allowed:
-        words = " or ".join(map(repr, allowed))
-        raise ValueError(f"{name}: {shown(value)} is not allowed; give {words}")
-    return value
+def check_sheet(sheet: str) -> None:
+    """Refuse what names no meaning of a fractional delay."""
+    if not isinstance(sheet, str) or sheet not in ("exact", "principal"):
+        raise ValueError(f"sheet: {shown(sheet)} is not allowed; give 'exact' or 'principal'")
 
 
 def together(*arrays: Any) -> tuple[int, ...]:

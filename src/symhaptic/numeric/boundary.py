@@ -19,7 +19,6 @@ from symhaptic.numeric.containers import kept
 from symhaptic.numeric.digits import in_digits
 from symhaptic.numeric.given import Given
 from symhaptic.numeric.plant import Device
-from symhaptic.numeric.stability import SHEETS
 
 _SPLIT = 2.0**27 + 1
 """Veltkamp's factor: halves of a float64 whose products are exact."""
@@ -179,7 +178,7 @@ def stability_boundary(
     >>> round(float(alpha), 12), round(float(beta), 12)  # 4 tan(1/2)^2 cos 2, ...
     (-0.496790118283, 1.241897955708)
     """
-    arguments.one_of("sheet", sheet, SHEETS)
+    arguments.check_sheet(sheet)
     if digits is not None:
         return in_digits(  # type: ignore[no-any-return]
             "stability_boundary", digits, sheet, theta=theta, gamma=gamma, delta=delta, delay=delay

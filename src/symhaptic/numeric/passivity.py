@@ -26,8 +26,6 @@ from symhaptic.numeric.extremum import Extremum
 from symhaptic.numeric.given import Given, to_numpy
 from symhaptic.numeric.renamed import renamed
 
-SHEETS = ("exact", "principal")
-
 
 def _stiffest(kernel: Any, delta: Any, delay: Any) -> tuple[Any, Any, Any]:
     """The stiffest passive wall by its kernel; without delay its damping is 0, no difference."""
@@ -102,7 +100,7 @@ def passivity_margin(
     >>> [round(float(x), 6) for x in passivity_margin(1.0, 0.0, 1.0, [0, 0.5, 1])]
     [0.5, -0.059017, -0.5]
     """
-    arguments.one_of("sheet", sheet, SHEETS)
+    arguments.check_sheet(sheet)
     if digits is not None:
         return in_digits(  # type: ignore[no-any-return]
             "passivity_margin", digits, sheet, alpha=alpha, beta=beta, delta=delta, delay=delay
@@ -176,19 +174,11 @@ def passivity_margin_at(
     >>> [round(float(x), 6) for x in passivity_margin_at(1.0, 1.0, 0.5, 1.0, [0, 0.5, 1])]
     [0.770151, 0.138338, -0.248376]
     """
-    arguments.one_of("sheet", sheet, SHEETS)
+    arguments.check_sheet(sheet)
+    loop = {"theta": theta, "alpha": alpha, "beta": beta, "delta": delta, "delay": delay}
     if digits is not None:
-        return in_digits(  # type: ignore[no-any-return]
-            "passivity_margin_at",
-            digits,
-            sheet,
-            theta=theta,
-            alpha=alpha,
-            beta=beta,
-            delta=delta,
-            delay=delay,
-        )
-    given = Given(theta=theta, alpha=alpha, beta=beta, delta=delta, delay=delay)
+        return in_digits("passivity_margin_at", digits, sheet, **loop)  # type: ignore[no-any-return]
+    given = Given(**loop)
     if sheet == "exact":
         return given(haptic.passivity_margin_at)  # type: ignore[no-any-return]
 
@@ -203,10 +193,6 @@ def passivity_margin_at(
 _NEAR = 2.0**-46
 """Margins up to this share of the largest sum of terms are compared with 0 in balls: 128 units in
 the last place, of which the kernel needs 2 (`tests/numeric/test_certified.py`)."""
-
-
-def _plain(*values: Any) -> bool:
-    return all(type(v) is float or type(v) is int for v in values)
 
 
 def _room(size: Callable[[Any], Any], alpha: Any, beta: Any, delta: Any, delay: Any) -> Any:
@@ -265,8 +251,9 @@ def is_passive(
     >>> is_passive([1.9, 2.0, 2.1, -0.1], 0.0, 1.0, 0).tolist()
     [True, True, False, False]
     """
-    arguments.one_of("sheet", sheet, SHEETS)
-    if sheet == "exact" and not certified and _plain(alpha, beta, delta, delay):
+    arguments.check_sheet(sheet)
+    plain = all(type(v) in (float, int) for v in (alpha, beta, delta, delay))
+    if plain and sheet == "exact" and not certified:
         margin = passivity_margin(alpha, beta, delta, delay)
         if abs(margin) > _room(abs, alpha, beta, delta, delay):
             return margin > 0
@@ -362,7 +349,7 @@ def passivity_boundary(
     >>> alpha.round(6).tolist(), beta.round(6).tolist()
     ([0.817217, 0.811125], [0.232804, 0.375311])
     """
-    arguments.one_of("sheet", sheet, SHEETS)
+    arguments.check_sheet(sheet)
     if digits is not None:
         return in_digits(  # type: ignore[no-any-return]
             "passivity_boundary", digits, sheet, theta=theta, delta=delta, delay=delay
@@ -426,7 +413,7 @@ def max_passive_stiffness(
     >>> alpha.round(6).tolist(), beta.round(6).tolist()
     ([2.0, 1.175869, 0.828427], [0.0, 0.323979, 0.292893])
     """
-    arguments.one_of("sheet", sheet, SHEETS)
+    arguments.check_sheet(sheet)
     if digits is not None:
         return Extremum(
             *in_digits("max_passive_stiffness", digits, sheet, delta=delta, delay=delay)

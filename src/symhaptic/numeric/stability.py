@@ -31,8 +31,6 @@ from symhaptic.numeric.cubic import Terms
 from symhaptic.numeric.given import Given, single, to_numpy
 from symhaptic.numeric.plant import Device, device, discretize
 
-SHEETS = ("exact", "principal")
-
 
 def _leads(terms: Terms) -> NDArray[np.bool_]:
     """Whether g leads next to the end of the half circle: the first nonzero coefficient < 0."""
@@ -244,7 +242,7 @@ def unstable_roots(
     >>> unstable_roots([0.5, 5.0], 1.0, 0.0, 0.0, 0).tolist()
     [0, 2]
     """
-    arguments.one_of("sheet", sheet, SHEETS)
+    arguments.check_sheet(sheet)
     given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay).in_double()
     if certified:
         by_balls.whole(sheet, given)
@@ -343,7 +341,7 @@ def is_stable(
     >>> bool(is_stable(*wall)), bool(is_stable(*wall, certified=True))
     (False, True)
     """
-    arguments.one_of("sheet", sheet, SHEETS)
+    arguments.check_sheet(sheet)
     given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay).in_double()
     if certified:
         by_balls.whole(sheet, given)

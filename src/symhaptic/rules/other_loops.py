@@ -22,6 +22,8 @@ from symhaptic.notation import (
     d,
     f_c,
     f_v,
+    gamma,
+    k,
     m,
     m_v,
     t_d,
@@ -33,7 +35,7 @@ from symhaptic.notation import (
 from symhaptic.notation.proposition import ForAll, Iff, Predicate, Proposition, both, implied, whole
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
-from symhaptic.rules.claims import UNITS
+from symhaptic.rules.claims import STABLE, UNITS
 
 POLE = (f_v >= 0, f_v < 1)
 """An exponential average; f_v = 0 is none."""
@@ -126,7 +128,22 @@ FOLLOWING = _fades(
 )
 """A free mass at the paper's wall, under a force u with tau u' = F - u."""
 
-LAGGING = FOLLOWING.at({FADING: sp.exp(-T / tau_a), LAG: tau_a / T})
+BEHIND = {FADING: sp.exp(-T / tau_a), LAG: tau_a / T}
+
+LAGGING = FOLLOWING.at(BEHIND)
+
+_TURN, _RISE = sp.cos(sp.sqrt(gamma)), sp.sqrt(gamma) * sp.sin(sp.sqrt(gamma))
+
+SWINGING = _fades(
+    gamma * (1 + gamma * LAG**2) * z * (z**2 - 2 * _TURN * z + 1) * (z - FADING)
+    + (
+        (1 - _TURN) * (z + 1) * (z - FADING)
+        - _RISE * LAG * (z - 1) * (z - FADING)
+        + gamma * LAG**2 * (1 - FADING) * (z**2 - 2 * _TURN * z + 1)
+    )
+    * ((alpha + beta) * z - beta)
+)
+"""A mass on a spring, without damping, at the same wall behind the same actuator."""
 
 
 def _decides(printed: Printed, stable: Proposition) -> Proposition:
@@ -166,6 +183,14 @@ def _lag_as_delay(printed: Printed) -> Proposition:
     """What is stable with the lag is within the bound."""
     given = [*SIMULATED, tau_a > 0, LAGGING]
     return ForAll((K, B, T, m, tau_a), implied(given, both(printed)))
+
+
+@claims("rules:lag-below-delay")
+def _lag_below_delay(printed: Printed) -> Proposition:
+    """Of a mass on a spring, for whole delays, t_d = d T."""
+    rules = [rule.subs(t_d, d * T) for rule in printed]
+    given = [*SIMULATED, k > 0, tau_a > 0, whole(d), *rules, STABLE.at({b: sp.S.Zero})]
+    return ForAll((K, B, T, m, k, tau_a, d), implied(given, SWINGING.at(BEHIND)))
 
 
 @claims("rules:both-below-two")

@@ -158,6 +158,14 @@ OTHER_LOOPS = (
         condition=True,
     ),
     Statement(
+        "rules:lag-below-delay",
+        "the same advice, taken to be safe for every device",
+        "a wall that is stable with a delay is stable with an actuator that lags by no more than "
+        "this delay, whatever spring the device has",
+        (r"\tau_a \leq t_d",),
+        condition=True,
+    ),
+    Statement(
         "rules:counts-and-friction",
         "Abbott and Okamura, 2005, for $B=0$",
         "damping takes what sampling gives, and friction what the counts of an encoder give",

@@ -6,7 +6,7 @@
 * ``limit``, ``damping``, ``safe``: what the methods return
 * ``dimensionless``: alpha, beta, gamma, delta and d of a scene
 * ``device_file``: a scene from a TOML file
-* ``chart``, ``picture``, ``words``: results as pictures and text
+* ``chart``, ``picture``, ``words``: results as pictures, whose colours are in ``picture``, and text
 * ``simulation``, ``controller``, ``systems``: motion over time, C for a controller, other tools
 * ``callables``: a formula as a function
 

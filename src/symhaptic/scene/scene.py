@@ -823,13 +823,10 @@ class Scene(DeviceLoop):
         from symhaptic.bounds.simplest.choose import Loop, simplest
 
         self.refuse_further("simplest, whose proofs are of the paper's loop")
-        if (mass if self.rotary else inertia) is not None:
-            name, allowed = ("mass", "inertia") if self.rotary else ("inertia", "mass")
-            raise ValueError(
-                f"{name}: this device has an {allowed}; give {allowed}="
-                if allowed == "inertia"
-                else f"{name}: this device has a {allowed}; give {allowed}="
-            )
+        if self.rotary and mass is not None:
+            raise ValueError("mass: this device has an inertia; give inertia=")
+        if not self.rotary and inertia is not None:
+            raise ValueError("inertia: this device has a mass; give mass=")
         over = {"mass": mass, "inertia": inertia, "damping": damping}
         m, b, k = self.coupled
         loop = Loop(self.parts, self.periods, self.sampling_period, m, k, b, self.unit)

@@ -4,7 +4,7 @@
 * ``plan``: independent blocks; arrays of Dask
 * ``work``: who computes: threads, processes, a client of Dask's
 * ``stores``, ``marks``: finished blocks, and whether they are still valid
-* ``charts``, ``drawing``: pictures
+* ``charts``, ``drawing``: pictures, and their colours
 
 Worker processes end with their parent by `book/processes.py`.  Imports ``numeric``, ``scene`` and
 of ``notation`` and ``book`` nothing symbolic; used by users.

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from symhaptic.book.figures.passivity import COLOURS, boundary
+from symhaptic.book.figures.passivity import boundary
+from symhaptic.book.figures.style import COLOURS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

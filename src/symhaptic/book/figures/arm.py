@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from symhaptic.book.figures.passivity import COLOURS
+from symhaptic.book.figures.style import COLOURS
 from symhaptic.paper.tables import EXCLUDED, TABLE_II
 
 if TYPE_CHECKING:

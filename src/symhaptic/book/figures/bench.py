@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from symhaptic.book.figures.labels import Panel, place
-from symhaptic.book.figures.passivity import COLOURS
+from symhaptic.book.figures.style import COLOURS
 from symhaptic.book.measured.tables import words
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from contextlib import ExitStack
 from pathlib import Path
 
 from symhaptic.book.chapters import Chapter
-from symhaptic.book.figures.passivity import save, save_all
+from symhaptic.book.figures.style import save, save_all
 from symhaptic.book.processes import end_with_parent, folder
 from symhaptic.book.record import Block
 

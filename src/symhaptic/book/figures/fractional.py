@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from symhaptic.book.figures.passivity import COLOURS
+from symhaptic.book.figures.style import COLOURS
 from symhaptic.numeric.passivity import max_passive_stiffness, passivity_boundary, passivity_margin
 
 if TYPE_CHECKING:

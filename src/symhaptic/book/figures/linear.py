@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from symhaptic.book.figures.passivity import COLOURS
 from symhaptic.book.figures.stability import GREY, plane
+from symhaptic.book.figures.style import COLOURS
 from symhaptic.bounds.linear_points import Arc, Point, points
 from symhaptic.numeric.boundary import stability_boundary
 from symhaptic.numeric.linear import linear_limit

@@ -19,7 +19,7 @@ def draw(programs: Sequence[Path], folder: Path) -> None:
     matplotlib.use("Agg")
     from matplotlib import pyplot, rc_context
 
-    from symhaptic.book.figures.passivity import STYLE, WIDTH
+    from symhaptic.book.figures.style import STYLE, WIDTH
 
     size = {"figure.figsize": (WIDTH, 0.62 * WIDTH), "figure.constrained_layout.use": True}
     with rc_context(STYLE | size):

@@ -10,7 +10,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from symhaptic.book.figures.passivity import COLOURS
+from symhaptic.book.figures.style import COLOURS
 from symhaptic.numeric.column import STYLE, column_figure, legend_below
 from symhaptic.numeric.tracing.region import Region
 

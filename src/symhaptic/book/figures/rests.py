@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from symhaptic.book.figures.passivity import COLOURS
+from symhaptic.book.figures.style import COLOURS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from symhaptic.book.figures.passivity import COLOURS, boundary
+from symhaptic.book.figures.passivity import boundary
+from symhaptic.book.figures.style import COLOURS
 from symhaptic.numeric.stability import is_stable
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 from symhaptic.numeric.tracing.margin import delay_margin

@@ -113,10 +113,22 @@ def damped_contact(rule: Any) -> Theorem:
     return here.closed(moved(still, STABLE_IN_UNITS, known))
 
 
-def outside(point: Mapping[Symbol, Expr]) -> Theorem:
-    """That a loop is not stable, exactly, by a ball around a zero outside."""
+def _exactly(point: Mapping[Symbol, Expr]) -> tuple[Theorem, Expr]:
+    """stable <=> all zeros inside, behind whole delays, and the polynomial."""
     values = [point[s] for s in (alpha, beta, gamma, delta, d)]
     parts = {"stiffness": point[gamma] != 0, "damping": point[delta] != 0}
     meaning = closed(loop(values, z, **parts), fact(whole(point[d])))
     zeros: Any = meaning.conclusion.of[1]  # type: ignore[attr-defined]
-    return denied_by(meaning, root_outside(zeros.of[0], z))
+    return meaning, zeros.of[0]
+
+
+def inside(point: Mapping[Symbol, Expr]) -> Theorem:
+    """That a loop is stable, exactly, by balls around its zeros."""
+    meaning, polynomial = _exactly(point)
+    return mp(meaning, roots_inside(polynomial, z, {}))
+
+
+def outside(point: Mapping[Symbol, Expr]) -> Theorem:
+    """That a loop is not stable, exactly, by a ball around a zero outside."""
+    meaning, polynomial = _exactly(point)
+    return denied_by(meaning, root_outside(polynomial, z))

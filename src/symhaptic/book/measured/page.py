@@ -27,7 +27,7 @@ def renewed(page: str, record: dict[str, Any]) -> str:
 def write(folder: Path) -> None:
     """Renew speed.md, and draw speed.png."""
     from symhaptic.book.figures.bench import drawings
-    from symhaptic.book.figures.passivity import save
+    from symhaptic.book.figures.style import save
 
     record, page = read(expected_bench()), folder / "speed.md"
     page.write_text(renewed(page.read_text(encoding="utf-8"), record), encoding="utf-8")

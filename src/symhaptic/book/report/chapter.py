@@ -185,12 +185,14 @@ def _claimed(block: Block, place: Place) -> list[Node]:
     return [container(kinds, paragraph(said)), *numbers, _verdict(block, place, method)]
 
 
-def by(theorems: Sequence[Theorem], shown: Mapping[Said, Shown]) -> list[Part]:
+def by(
+    theorems: Sequence[Theorem], shown: Mapping[Said, Shown], before: str = " by "
+) -> list[Part]:
     """What theorems rest on: others on the pages by number, and classical rules by name."""
     found = rests(theorems, shown)
     places = [led("theorem", one.place, f"({one.place})") for one in found.shown]
     links = listed([*places, *rules(found.rules)])
-    return [" by ", *links] if links else []
+    return [before, *links] if links else []
 
 
 def rules(names: Iterable[str]) -> list[Node]:

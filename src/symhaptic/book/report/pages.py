@@ -22,13 +22,13 @@ from symhaptic.book.plain import in_formulas
 from symhaptic.book.report.breaking import width
 from symhaptic.book.report.chapter import (
     WRONG,
+    by,
     claimed,
     condition,
     corrected,
     formula_in_words,
     in_words,
     referred,
-    rules,
     shown_by,
 )
 from symhaptic.book.report.tree import (
@@ -48,7 +48,7 @@ from symhaptic.book.report.tree import (
     table,
     words,
 )
-from symhaptic.book.rests import Rest, Said, rests, said, shown_in, used
+from symhaptic.book.rests import Said, said, shown_in, used
 from symhaptic.book.rules import called, classical, others, says
 from symhaptic.book.sources import PAPER
 from symhaptic.notation import SYMBOLS
@@ -348,18 +348,12 @@ def resting(
             if one.chapter == number:
                 places = [led("row", place, "") for place in again[said(one.theorem)]]
                 link = led("theorem", one.place, f"({one.place})")
-                rows.append(_resting([*places, link], rests([one.theorem], shown)))
+                rows.append(paragraph([*places, link], by([one.theorem], shown, ": ")))
         for id, item in chapter.page.settled.items():
             if judged := item.settlement.judged:
                 theorems = [judged.theorem, *(case.theorem for case in judged.unless)]
-                rows.append(_resting([referred(id)], rests(theorems, shown)))
+                rows.append(paragraph(referred(id), by(theorems, shown, ": ")))
     return rows
-
-
-def _resting(place: Part, rest: Rest) -> nodes.paragraph:
-    theorems = [led("theorem", one.place, f"({one.place})") for one in rest.shown]
-    links = listed([*theorems, *rules(rest.rules)])
-    return paragraph(place, [": ", *links] if links else "")
 
 
 def _repeated(chapters: Sequence[tuple[int, Chapter]]) -> dict[Said, list[str]]:

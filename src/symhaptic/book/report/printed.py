@@ -276,8 +276,8 @@ def _graph(chapters: list[Chapter], folder: Path, say: Say) -> None:
     numbered = list(enumerate(in_parts(chapters, lambda chapter: chapter.name), 1))
     edges = between(numbered)
     if edges:
-        from symhaptic.book.figures.passivity import save
         from symhaptic.book.figures.rests import graph
+        from symhaptic.book.figures.style import save
 
         say("figure graph")
         titles = {number: chapter.title for number, chapter in numbered}
@@ -289,7 +289,7 @@ def _measured(folder: Path, say: Say) -> None:
     """The figures of the committed measurement."""
     if expected_bench().is_file():
         from symhaptic.book.figures.bench import drawings
-        from symhaptic.book.figures.passivity import save
+        from symhaptic.book.figures.style import save
         from symhaptic.book.measured.record import read
 
         for name, (draw, panels, height) in drawings(read(expected_bench())).items():

@@ -19,7 +19,6 @@ from symhaptic.numeric.crossings import wall
 from symhaptic.numeric.extremum import Extremum
 from symhaptic.numeric.given import Given
 from symhaptic.numeric.plant import Device, device, stuck
-from symhaptic.numeric.stability import SHEETS
 from symhaptic.numeric.tracing.arcs import Loop
 from symhaptic.numeric.tracing.region import NotTraced, farthest
 
@@ -100,7 +99,7 @@ def max_stable_stiffness(
     >>> alpha.round(6).tolist()
     [0.686292, 0.144469]
     """
-    arguments.one_of("sheet", sheet, SHEETS)
+    arguments.check_sheet(sheet)
     given = Given(gamma=gamma, delta=delta, delay=delay)
     alone = math.prod(arguments.together(*given.values)) == 1
     work = partial(arguments.in_blocks, partial(_rightmost, sheet=sheet, alone=alone))

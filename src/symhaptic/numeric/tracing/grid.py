@@ -39,8 +39,8 @@ def spectral_radius(
     al, be = np.broadcast_arrays(arguments.finite("alpha", alpha), arguments.finite("beta", beta))
     late = _rational(delay)
     q, degree = late.denominator, late.numerator + 3 * late.denominator
-    g = arguments.single("gamma", arguments.nonnegative("gamma", gamma))
-    dl = arguments.single("delta", arguments.nonnegative("delta", delta))
+    g = arguments.single("gamma", arguments.checked("gamma", gamma))
+    dl = arguments.single("delta", arguments.checked("delta", delta))
     n1, n0, a, e = (float(v) for v in discretize(g, dl))
     rows = np.zeros((al.size, degree + 1))
     rows[:, [0, q, 2 * q]] = 1.0, -a, e
@@ -63,7 +63,7 @@ def spectral_radius(
 def _rational(delay: float | Fraction) -> Fraction:
     """The delay as a fraction that leaves a polynomial of reasonable degree."""
     allowed = f"rational numbers r/q >= 0 with r + 3 q <= {_DEGREE}"
-    number = arguments.periods("delay", delay)
+    number = arguments.checked("delay", delay)
     arguments.refuse("delay", number, np.isnan(number), allowed)
     one = arguments.single("delay", number)
     late = Fraction(delay) if isinstance(delay, int | Fraction) else Fraction(one)

@@ -21,7 +21,7 @@ from symhaptic.numeric.containers import kept
 from symhaptic.numeric.crossings import wall
 from symhaptic.numeric.given import Given
 from symhaptic.numeric.plant import device
-from symhaptic.numeric.stability import SHEETS, is_stable
+from symhaptic.numeric.stability import is_stable
 from symhaptic.numeric.tracing.loops import Loops, leads_at_minus_one, next_changes
 from symhaptic.numeric.tracing.losses import first_loss
 from symhaptic.numeric.tracing.periods import EXACT, Window, first_periods
@@ -98,7 +98,7 @@ def max_delay(
     >>> round(float(max_delay(0.01, 0.05, 0.0, 0.0)), 6)
     3.969213
     """
-    arguments.one_of("sheet", sheet, SHEETS)
+    arguments.check_sheet(sheet)
     given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta)
     return given.by_numpy(partial(_largest, sheet))[0]  # type: ignore[no-any-return]
 
@@ -171,7 +171,7 @@ def delay_margin(
     >>> [round(float(x), 6) for x in delay_margin(0.01, 0.05, 0.0, 0.0, [0.0, 1.5, 5.0])]
     [3.969213, 2.469213, 0.0]
     """
-    arguments.one_of("sheet", sheet, SHEETS)
+    arguments.check_sheet(sheet)
     given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay)
     return given.by_numpy(partial(_added, sheet))[0]  # type: ignore[no-any-return]
 

@@ -13,7 +13,7 @@ from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.containers import numbers_only
 from symhaptic.numeric.extremum import Extremum
-from symhaptic.numeric.stability import SHEETS, is_stable
+from symhaptic.numeric.stability import is_stable
 from symhaptic.numeric.tracing.arcs import Loop, flips
 from symhaptic.numeric.tracing.corners import joined
 from symhaptic.numeric.tracing.shape import Shape
@@ -174,12 +174,9 @@ def stable_region(
     >>> [round(float(x), 6) for x in region.max_stiffness]  # alpha = 4 (2 - r)(r - 1)/r, r = sqrt 2
     [0.686292, 0.828427, 1.143718]
     """
-    arguments.one_of("sheet", sheet, SHEETS)
-    numbers = {}
-    for name, value in (("gamma", gamma), ("delta", delta), ("delay", delay)):
-        array = (arguments.periods if name == "delay" else arguments.nonnegative)(name, value)
-        arguments.refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0")
-        numbers[name] = arguments.single(name, array)
+    arguments.check_sheet(sheet)
+    given = {"gamma": gamma, "delta": delta, "delay": delay}
+    numbers = {name: arguments.of_loop(name, value) for name, value in given.items()}
     tolerance = arguments.one("tolerance", tolerance)
     if not 1e-12 <= tolerance < 1:
         raise ValueError(f"tolerance: {tolerance!r} is not allowed; give 1e-12 <= tolerance < 1")

@@ -12,7 +12,7 @@ import shapely
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.containers import numbers_only
-from symhaptic.numeric.stability import SHEETS, is_stable
+from symhaptic.numeric.stability import is_stable
 from symhaptic.numeric.tracing.arcs import Loop
 from symhaptic.numeric.tracing.region import NotTraced, stable_region
 from symhaptic.numeric.tracing.shape import Shape
@@ -95,13 +95,8 @@ def robust_region(
     >>> region.area > 0.0008, len(region.outline)
     (True, 1)
     """
-    arguments.one_of("sheet", sheet, SHEETS)
-    numbers = {}
-    for name, value in (("delta", delta), ("delay", delay)):
-        array = (arguments.periods if name == "delay" else arguments.nonnegative)(name, value)
-        arguments.refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0")
-        numbers[name] = arguments.single(name, array)
-    delta, delay = numbers["delta"], numbers["delay"]
+    arguments.check_sheet(sheet)
+    delta, delay = arguments.of_loop("delta", delta), arguments.of_loop("delay", delay)
     if delay > _LONGEST:
         raise ValueError(
             f"delay: {delay!r} is not allowed; give at most {_LONGEST} periods: each further "

@@ -125,6 +125,8 @@ def fact(claim: Proposition) -> Theorem:
     if isinstance(claim, Not) and isinstance(claim.of[0], Predicate):
         return broken(claim.of[0].of[0])
     if isinstance(claim, Predicate):
+        if claim.name != "whole":
+            raise NotShown(f"{claim} is no relation between numbers; give a theorem of it")
         return is_whole(claim.of[0])
     return number(claim)
 
