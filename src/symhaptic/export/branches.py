@@ -255,11 +255,11 @@ def guarded(routine: Routine) -> Block:
 
 
 def told(block: Block) -> Block:
-    """A block whose result is 1 or 0 with a truth value in its place."""
+    """A block with a truth value in place of its result: true where that is positive."""
     *before, last = block
     if isinstance(last, Choice):
         return (*before, Choice(last.condition, told(last.yes), told(last.no)))
-    return (*before, Return(tuple(sp.Ne(r, 0) for r in expressions(last))))
+    return (*before, Return(tuple(sp.Gt(r, 0) for r in expressions(last))))
 
 
 Facts = dict[Expr, Boolean]

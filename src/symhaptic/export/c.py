@@ -363,7 +363,7 @@ class C(Family):
     """One source file and its header."""
 
     name, title = "c", "C99"
-    proves = True
+    proves = samples = True
     helper = "static inline"
     """What declares a function that others here call: inlined, they take a tenth less time."""
     modules = reserved.C
@@ -406,6 +406,7 @@ class C(Family):
             about = describe(form, self.precision)
             heads += ["/*", *(f" * {line}" for line in about), " */"]
             heads += [f"{self._head(f'{library.name}_{routine.name}', routine)};", ""]
+        heads += self._sampled_heads(library)
         truth = ["#include <stdbool.h>", ""] * any(r.truth for r in library.public)
         header = [f"#ifndef {guard}", f"#define {guard}", "", *truth, *_LINKED, *heads,
                   "#ifdef __cplusplus", "}", "#endif", "", "#endif", ""]  # fmt: skip
@@ -421,8 +422,10 @@ class C(Family):
             if helper.name not in records.fields:
                 lines += [f"// {helper.about}", *own._helper(helper)]
         for routine in library.public:
-            head = self._head(f"{library.name}_{routine.name}", routine)
-            lines += own._written(routine, head)
+            if not own._judged(library, routine):
+                head = self._head(f"{library.name}_{routine.name}", routine)
+                lines += own._written(routine, head)
+        lines += own._sampled(library)
         files = {f"{library.name}.h": header, f"{library.name}.c": lines}
         return {name: "\n".join(wrapped(text)) for name, text in files.items()}
 
@@ -441,13 +444,21 @@ class C(Family):
         head = f"{self.helper} {kind} {self.call(routine.name)}({args})"
         return self._written(routine, head, [] if kind != self.real else ["return {0};"])
 
-    def _written(self, routine: Routine, head: str, ends: list[str] | None = None) -> list[str]:
+    def _written(
+        self,
+        routine: Routine,
+        head: str,
+        ends: list[str] | None = None,
+        fields: Mapping[str, str] | None = None,
+    ) -> list[str]:
+        """A function; ``fields`` are arguments of it that are in a record."""
         if ends is None:
             ends = [f"*{self._out(n)} = {{{i}}};" for i, (n, _) in enumerate(routine.results)]
             ends = ["return {0};"] if len(ends) == 1 else [*ends, "return;"]
         own = copy(self)
         if self.records is not None:
             own.places = self.records.places(routine)
+            own.places.written.update(fields or {})
             own.writes = routine
         body = braces(own, guarded(routine), ends, f"const {self.real}")
         if body[-1].endswith("return;"):
@@ -519,11 +530,86 @@ class C(Family):
             kind, args = "void", args + [f"{self.real} *{self._out(n)}" for n, _ in routine.results]
         return f"{kind} {name}({', '.join(args) or 'void'})"
 
+    def _record(self, library: Library) -> tuple[str, dict[str, str]]:
+        """The type of a sampled device, and the names of its numbers there."""
+        device = library.sampled[0]
+        return f"{library.name}_sampled_device", {n: self.rename(n) for n, _ in device.results}
+
+    def _sampled_head(self, library: Library, routine: Routine) -> str:
+        kind, fields = self._record(library)
+        given = [s.name for s in routine.arguments]
+        judges = routine != library.sampled[0]
+        given = [self.rename(n) for n in given if not judges or n not in fields]
+        args = [f"{'const ' * judges}{kind} *sampled", *(f"{self.real} {n}" for n in given)]
+        result = ("bool" if routine.truth else self.real) if judges else "void"
+        return f"{result} {library.name}_{routine.name}({', '.join(args)})"
+
+    def _sampled_heads(self, library: Library) -> list[str]:
+        """The type of a sampled device and the functions that take one, for the header."""
+        if not library.sampled:
+            return []
+        kind, fields = self._record(library)
+        init, *judges = (f"{self._sampled_head(library, r)};" for r in library.sampled)
+        return [
+            "/*",
+            " * a device and its delay, computed once by the function below; its numbers are for",
+            " * the functions that take it. Outside the domain all are NaN.",
+            " */",
+            f"typedef struct {{ {self.real} {', '.join(fields.values())}; }} {kind};",
+            "",
+            init,
+            "",
+            "/* The functions of a wall and a sampled device, with the results of those above. */",
+            *judges,
+            "",
+        ]
+
+    def _sampled(self, library: Library) -> list[str]:
+        """What samples a device, what judges a wall with it, and the same in one call."""
+        if not library.sampled:
+            return []
+        kind, fields = self._record(library)
+        init, *judges = library.sampled
+        given = ", ".join(f"{{{i}}}" for i in range(len(fields)))
+        ends = [f"*sampled = ({kind}){{{{{given}}}}};", "return;"]
+        lines = self._written(init, self._sampled_head(library, init), ends)
+        places = {name: f"sampled->{field}" for name, field in fields.items()}
+        known = [self.rename(s.name) for s in init.arguments]
+        device = f"{library.name}_device"
+        for judge in judges:
+            head = self._sampled_head(library, judge)
+            wall = [self.rename(s.name) for s in judge.arguments if s.name not in fields]
+            if judge.truth:  # beside it is the verdict, which also says that it is undecided
+                asked = f"{device}_verdict(sampled, {', '.join(wall)})"
+                lines += [f"{head} {{", f"    return {asked} > {self.number(0.0)};", "}", ""]
+            else:
+                lines += self._written(judge, head, fields=places)
+        for routine in (r for r in library.public if self._judged(library, r)):
+            lines += [
+                f"{self._head(f'{library.name}_{routine.name}', routine)} {{",
+                f"    {kind} sampled;",
+                f"    {device}_init({', '.join(['&sampled', *known])});",
+                f"    return {device}_{routine.name}({', '.join(['&sampled', *wall])});",
+                "}",
+                "",
+            ]
+        return lines
+
+    def _judged(self, library: Library, routine: Routine) -> bool:
+        """Whether it is written in terms of a sampled device."""
+        return f"device_{routine.name}" in {r.name for r in library.sampled}
+
     def notes(self, library: Library) -> list[str]:
         """What it refuses to be compiled with, how it is found, and what is in SI units."""
         name = library.name
         si = package.header(library, self.real, self.precision)
         lines = package.notes(name, f"{name}.h")
+        if library.sampled:
+            given = ", ".join(s.name for s in library.sampled[0].arguments)
+            lines += [
+                f"{name}_device_init(&sampled, {given}) samples a device once; then the functions",
+                f"{name}_device_... judge walls, with the same results as the plain ones.",
+            ]
         if si:
             lines += [
                 f"{name}_si.h has the same functions of a device in SI units (kg, s, N/m, Ns/m)."
@@ -558,6 +644,7 @@ class C(Family):
                 call = f"{name}({', '.join(args)})"
             else:
                 call = f"got[0] = {name}({', '.join(args)})"
+            call += self._compared(library, r)
             cases.append(
                 f'        if (strcmp(name, "{r.name}") == 0) {{\n'
                 f"            arguments = {count}, results = {len(r.results)};\n"
@@ -565,8 +652,22 @@ class C(Family):
                 + "".join(f"{part}\n" for part in wrapped([f"            {call};"]))
                 + "        }\n"
             )
-        words = library.name, self.real, self.real, self.real, "".join(cases)
+        sampled = f"    {self._record(library)[0]} sampled;\n" if library.sampled else ""
+        words = library.name, self.real, self.real, self.real, sampled, "".join(cases)
         return {"selftest.c": _SELFTEST % words}
+
+    def _compared(self, library: Library, routine: Routine) -> str:
+        """What the self-test asks of a function that judges with a sampled device, too."""
+        if not self._judged(library, routine):
+            return ""
+        at = {s: f"x[{i}]" for i, s in enumerate(routine.arguments)}
+        device = [at[s] for s in library.sampled[0].arguments]
+        wall = [own for s, own in at.items() if s not in library.sampled[0].arguments]
+        name = f"{library.name}_device"
+        return (
+            f"; {name}_init({', '.join(['&sampled', *device])}); different += got[0] != "
+            f"{name}_{routine.name}({', '.join(['&sampled', *wall])})"
+        )
 
     def commands(self, name: str) -> list[list[str]]:
         """Compile with warnings as errors, then run."""
@@ -597,7 +698,7 @@ static void read_all(FILE *file, %s *into, int count) {
 int main(void) {
     %s x[256], got[128];
     char name[64];
-    int tried = 0, missed = 0;
+%s    int tried = 0, missed = 0, different = 0;
     FILE *file = fopen("vectors.txt", "r");
     if (file == NULL) return 2;
     while (fscanf(file, "%%63s", name) == 1) {
@@ -614,6 +715,7 @@ int main(void) {
         }
     }
     fclose(file);
+    missed += different;
     printf("%%d values, %%d missed\\n", tried, missed);
     return tried == 0 || missed > 0;
 }

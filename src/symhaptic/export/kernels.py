@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 import re
+from copy import copy
 from difflib import unified_diff
 from hashlib import sha256
 from itertools import chain
@@ -174,7 +175,8 @@ def files() -> dict[str, str]:
     made |= request.built(plain.TARGET, some, "scalar", vectors=False)[1]
     sources, heads = [], []
     for precision, name in ((DOUBLE, "haptic"), (SINGLE, "haptic_single")):
-        language = TARGETS["c"].at(precision)
+        language = copy(TARGETS["c"].at(precision))
+        language.samples = False
         library, files = request.built(language, every, name, vectors=False)
         whole = [_shown(library, language, helper) for helper in _inside(library)]
         sources.append("\n".join([files[f"{name}.c"], *map("\n".join, whole)]))

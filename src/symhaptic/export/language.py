@@ -198,6 +198,9 @@ class Target:
         """The lines that return the results, which are given as they are written."""
         return [end.format(*results) for end in ends]
 
+    samples = False
+    """Whether the numbers of a device are a record that functions of walls take."""
+
     proves = False
     """Whether an export has goals for Gappa, of the rounding errors of its public routines."""
 

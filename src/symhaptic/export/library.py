@@ -18,6 +18,7 @@ from symhaptic.export.precision import DOUBLE, SINGLE, Precision
 from symhaptic.export.routine import Library, Routine, calls, needs, operations
 from symhaptic.export.routines import ROUTINES
 from symhaptic.export.routines.arithmetic import two_prod_error
+from symhaptic.export.sampled import apart, with_verdict
 from symhaptic.forms.stable import Form
 
 
@@ -83,13 +84,15 @@ def library(
 
     Raises :class:`Refused` for an operation that the target does not have.
     """
-    forms = tuple(forms)
-    together = map(with_free_verdict, forms)
-    together = map(with_late_device, together) if merges else together
+    forms = tuple(with_verdict(forms) if target.samples else forms)
+    together = [with_free_verdict(form) for form in forms]
+    together = [with_late_device(form) for form in together] if merges else together
     public = tuple(of_form(form, target.precision) for form in together)
     routines = known(target.precision)
     if merges:
         public = tuple(map(merged, public))
+    if target.samples:
+        public += apart(together, target.precision)
     own = {}
     if target.operations["TwoProdError"].startswith("two_prod_error("):
         own["TwoProdError"] = two_prod_error.make(target.precision)
@@ -113,4 +116,5 @@ def library(
     for one in (*ordered.values(), *public):
         for missing in sorted(operations(one) - set(target.operations)):
             raise Refused(f"{target.name}: has no operation {missing!r}, which {one.name} needs")
-    return Library(name, title, forms, tuple(ordered.values()), public)
+    count = len(forms)
+    return Library(name, title, forms, tuple(ordered.values()), public[:count], public[count:])

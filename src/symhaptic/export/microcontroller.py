@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 from typing import Self
 
@@ -21,11 +21,11 @@ SIZES = {
     "discretize": 3820,
     "discretize_fractional": 4796,
     "characteristic_polynomial": 3916,
-    "is_stable": 15596,
-    "unstable_roots": 15332,
+    "is_stable": 16312,
+    "unstable_roots": 15840,
     "stability_conditions": 4952,
     "stability_boundary": 7656,
-    "max_stable_stiffness": 20296,
+    "max_stable_stiffness": 20752,
     "passivity_margin_at": 1292,
     "passivity_margin": 2460,
     "passivity_boundary": 3192,
@@ -61,8 +61,14 @@ class Microcontroller(C):
         asked = any("exp" in operations(r) for r in (*library.helpers, *library.public))
         return _EXPONENTIAL.split("\n") if asked else []
 
-    def _written(self, routine: Routine, head: str, ends: list[str] | None = None) -> list[str]:
-        lines = super()._written(routine, head, ends)
+    def _written(
+        self,
+        routine: Routine,
+        head: str,
+        ends: list[str] | None = None,
+        fields: Mapping[str, str] | None = None,
+    ) -> list[str]:
+        lines = super()._written(routine, head, ends, fields)
         if routine.name != "TwoProdError":
             return lines
         x, y = (self.rename(s.name) for s in routine.arguments)
@@ -85,7 +91,8 @@ class Microcontroller(C):
         ]
         for own, count in most(library).items():
             figures = " | ".join(str(count[kind]) for kind in KINDS)
-            lines.append(f"| {own} | {figures} | {SIZES.get(own, '')} |")
+            size = SIZES.get("is_stable" if own == "verdict" else own, "")
+            lines.append(f"| {own} | {figures} | {size} |")
         return [
             *lines,
             "",

@@ -168,6 +168,7 @@ _RESULTS = {
     "theta": ("omega", "1/of.T"),
     "margin": ("b", "of.m/of.T"),
     "stable": ("", ""),
+    "verdict": ("", ""),
     "roots": ("", ""),
 }
 """What each is in SI units, and what it has to be multiplied by."""

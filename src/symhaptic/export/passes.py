@@ -380,12 +380,11 @@ def _without(routine: Routine, gone: Mapping[str, tuple[int, ...]]) -> Routine:
 # -- Numbers of the plant alone, which are found once for many walls, angles or delays -----------
 
 
-_OF_PLANT = {gamma, delta}
-
-
-def hoisted(routine: Routine) -> tuple[Routine | None, Routine]:
+def hoisted(
+    routine: Routine, of: Collection[Symbol] = (gamma, delta)
+) -> tuple[Routine | None, Routine]:
     """The numbers of the plant as a routine of its own, where there is more to do, and the rest."""
-    given = tuple(s for s in routine.arguments if s in _OF_PLANT)
+    given = tuple(s for s in routine.arguments if s in of)
     if given == routine.arguments:
         return None, routine
     plant: list[Step] = []
@@ -422,7 +421,7 @@ def hoisted(routine: Routine) -> tuple[Routine | None, Routine]:
     before = replace(
         routine, arguments=given, steps=tuple(plant), results=tuple((s.name, s) for s in found)
     )
-    own = tuple(s for s in routine.arguments if s in used or s not in _OF_PLANT)
+    own = tuple(s for s in routine.arguments if s in used or s not in of)
     return before, replace(after, arguments=own + found)
 
 

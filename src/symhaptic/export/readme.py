@@ -84,6 +84,13 @@ def _contract(library: Library) -> list[str]:
             "is_stable is a truth value: true where the loop is stable, false where it",
             "is not and wherever floats cannot tell.",
         ]
+    if "verdict" in names:
+        lines += [
+            "verdict is 1 exactly where is_stable is true. It is 0 where the loop is certainly",
+            "not stable, and -1 where it is undecided: a root is so close to the unit circle that",
+            "the bounds of the rounding errors exclude neither side, or an argument is outside the",
+            "domain. Compare it with 1: as a truth value, -1 counts as yes.",
+        ]
     if "unstable_roots" in names:
         lines += [
             "unstable_roots is a whole number, which is a float since a",

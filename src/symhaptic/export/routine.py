@@ -348,6 +348,8 @@ class Library:
     forms: tuple[Form, ...]
     helpers: tuple[Routine, ...]
     public: tuple[Routine, ...]
+    sampled: tuple[Routine, ...] = ()
+    """What finds the numbers of a device, and each function that judges a wall with them."""
 
     @property
     def factorials(self) -> int:

@@ -32,7 +32,8 @@ class FractionalRoots(Meant, nargs=11):
 
 
 class Stable(Meant, nargs=5):
-    """1 if roots is 0, alpha > -gamma, and the device is not left swinging, else 0
+    """1 if roots is 0, alpha > -gamma, and the device is not left swinging, 0 if it is certain that
+    this is not so, else -1
 
     Of (roots, alpha, beta, gamma, delta).
     """

@@ -649,22 +649,76 @@ static inline Device3 device_at_minus_one_kick_together_n_gap_n0_n1_anew(REAL ga
 }
 KEEP(Device3, device_at_minus_one_kick_together_n_gap_n0_n1)
 
+#ifndef SINGLE
 // the root of a cubic on a piece where it bends one way
-static inline REAL cubic_root(REAL k0, REAL k1, REAL k2, REAL k3, REAL low,
-    REAL high, REAL rise) {
-    const REAL convex = R(2.0)*k2 + R(3.0)*k3*(high + low) > R(0.0) ? R(1.0) : -R(1.0);
-    const REAL down = convex*rise > R(0.0) ? R(1.0) : -R(1.0);
-    REAL y = down > R(0.0) ? high : low, moves = R(1.0);
-    for (int count_y = 0; count_y < 1000; ++count_y) {
-        if (moves == R(0.0)) { break; }
-        const REAL steep = k1 + y*(R(2.0)*k2 + R(3.0)*k3*y), some = steep == R(0.0) ? R(1.0) :
-            steep;
-        const REAL move = steep == R(0.0) ? R(0.0) : (k0 + y*(k1 + y*(k2 + k3*y)))/some;
-        const REAL new_ = M(fmin)(high, y - move), new2 = M(fmax)(low, new_);
-        moves = down*(y - new2) > R(0.0) ? R(1.0) : R(0.0); y = new2;
+static inline double cubic_root(double k0, double k1, double k2, double k3, double low,
+    double high, double rise) {
+    const double three = 3.0*k3, two = 2.0*k2, convex = three*(high + low) + two > 0.0 ? 1.0 : -1.0;
+    const double down = convex*rise > 0.0 ? 1.0 : -1.0;
+    const double begin = convex*k0 > 0.0 && high > 0.0 && low < 0.0 ? 0.0 :
+        (down > 0.0 ? high : low);
+    const double end = convex*k0 <= 0.0 && high > 0.0 && low < 0.0 ? 0.0 :
+        (down > 0.0 ? low : high);
+    const double part = 0.0625*begin;
+    const double above = convex*(k0 + part*(k1 + part*(k2 + k3*part))) > 0.0 &&
+        fabs(end) < fabs(part) ? 1.0 : 0.0;
+    double begin2 = above > 0.0 ? part : begin;
+    double end2 = above <= 0.0 && fabs(end) < fabs(part) ? part : end;
+    for (int count_begin2 = 0; count_begin2 < 8; ++count_begin2) {
+        if (fabs(begin2) <= 16.0*fmax(1.499696813895631e-241, fabs(end2))) { break; }
+        const double size = sqrt(fabs(begin2))*sqrt(fmax(1.499696813895631e-241, fabs(end2)));
+        const double at = begin2 < 0.0 ? -size : size;
+        const double outside = convex*(at*(at*(at*k3 + k2) + k1) + k0) > 0.0 ? 1.0 : 0.0;
+        const double next_begin = outside > 0.0 ? at : begin2;
+        end2 = outside > 0.0 ? end2 : at; begin2 = next_begin;
+    }
+    double y = begin2, moves = 1.0;
+    for (int count_y = 0; count_y < 98; ++count_y) {
+        if (moves == 0.0) { break; }
+        const double steep = k1 + y*(three*y + two), some = steep == 0.0 ? 1.0 : steep;
+        const double move = steep == 0.0 ? 0.0 : (k0 + y*(k1 + y*(k2 + k3*y)))/some;
+        const double new_ = fmin(high, y - move), new2 = fmax(low, new_);
+        const double moves2 = down*(y - new2) > 0.0 ? 1.0 : 0.0;
+        y = moves2 > 0.0 ? new2 : y; moves = moves2;
     }
     return y;
 }
+#else
+// the root of a cubic on a piece where it bends one way
+static inline float cubic_root(float k0, float k1, float k2, float k3, float low, float high,
+    float rise) {
+    const float three = 3.0f*k3, two = 2.0f*k2;
+    const float convex = three*(high + low) + two > 0.0f ? 1.0f : -1.0f;
+    const float down = convex*rise > 0.0f ? 1.0f : -1.0f;
+    const float begin = convex*k0 > 0.0f && high > 0.0f && low < 0.0f ? 0.0f :
+        (down > 0.0f ? high : low);
+    const float end = convex*k0 <= 0.0f && high > 0.0f && low < 0.0f ? 0.0f :
+        (down > 0.0f ? low : high);
+    const float part = 0.0625f*begin;
+    const float above = convex*(k0 + part*(k1 + part*(k2 + k3*part))) > 0.0f &&
+        fabsf(end) < fabsf(part) ? 1.0f : 0.0f;
+    float begin2 = above > 0.0f ? part : begin;
+    float end2 = above <= 0.0f && fabsf(end) < fabsf(part) ? part : end;
+    for (int count_begin2 = 0; count_begin2 < 5; ++count_begin2) {
+        if (fabsf(begin2) <= 16.0f*fmaxf(8.271806e-25f, fabsf(end2))) { break; }
+        const float size = sqrtf(fabsf(begin2))*sqrtf(fmaxf(8.271806e-25f, fabsf(end2)));
+        const float at = begin2 < 0.0f ? -size : size;
+        const float outside = convex*(at*(at*(at*k3 + k2) + k1) + k0) > 0.0f ? 1.0f : 0.0f;
+        const float next_begin = outside > 0.0f ? at : begin2;
+        end2 = outside > 0.0f ? end2 : at; begin2 = next_begin;
+    }
+    float y = begin2, moves = 1.0f;
+    for (int count_y = 0; count_y < 48; ++count_y) {
+        if (moves == 0.0f) { break; }
+        const float steep = k1 + y*(three*y + two), some = steep == 0.0f ? 1.0f : steep;
+        const float move = steep == 0.0f ? 0.0f : (k0 + y*(k1 + y*(k2 + k3*y)))/some;
+        const float new_ = fminf(high, y - move), new2 = fmaxf(low, new_);
+        const float moves2 = down*(y - new2) > 0.0f ? 1.0f : 0.0f;
+        y = moves2 > 0.0f ? new2 : y; moves = moves2;
+    }
+    return y;
+}
+#endif
 
 // of x + j u: half turns and the rest of the angle, the size and its inverse, how far both may be
 // off, and how they change with y
@@ -1127,16 +1181,15 @@ static inline Delayed late_device_anew(REAL gamma, REAL delta, REAL part) {
 }
 KEEP_PART(Delayed, late_device)
 
-// 1 where the loop is stable, else 0
+// 1 where the loop is stable, 0 where it is not, -1 where that is not certain
 static inline REAL stable(REAL roots, REAL alpha, REAL beta, REAL gamma, REAL delta) {
     const REAL swing = M(sqrt)(gamma);
-    if (!(alpha == R(0.0) && beta == R(0.0) && delta == R(0.0) && gamma > R(0.0)) &&
+    const REAL yes = !(alpha == R(0.0) && beta == R(0.0) && delta == R(0.0) && gamma > R(0.0)) &&
         !(delta < PICK(1.1102230246251565e-15, 5.9604645e-07f) && gamma > R(1.0) &&
             swing >= PICK(2251799813685248.0, 4.194304e+06f)*
-        M(fabs)(M(sin)(swing))) && alpha > -gamma && roots == R(0.0)) {
-        return R(1.0);
-    }
-    return R(0.0);
+        M(fabs)(M(sin)(swing))) && alpha > -gamma && roots == R(0.0) ? R(1.0) : R(0.0);
+    return yes - ((alpha == R(0.0) && beta == R(0.0) && delta == R(0.0) && gamma > R(0.0)) ||
+        alpha <= -gamma || roots > R(0.0) || yes > R(0.0) ? R(0.0) : R(1.0));
 }
 
 // a point that is known about three, and whether it is on the circle
@@ -2058,14 +2111,14 @@ bool NAME(is_stable)(REAL alpha, REAL beta, REAL gamma, REAL delta, REAL d) {
     const REAL t3 = delta*device.n_gap;
     if (part == R(0.0)) {
         return stable(whole_roots(alpha, beta, d, device.n1, device.n0, gamma, device.at_minus_one,
-            t1, device.together, t3), alpha, beta, gamma, delta) != R(0.0);
+            t1, device.together, t3), alpha, beta, gamma, delta) > R(0.0);
     }
     const Delayed delayed = late_device(gamma, delta, part);
     return stable(fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, gamma,
         device.at_minus_one, t1, device.together, delayed.apart, R(0.5)*device.kick*
         (delta*delayed.m2 + R(2.0)*delayed.kicked) + R(0.5)*delayed.m2*
             (gamma*device.together + t1) - R(0.5)*
-        device.together + R(0.5)*t3), alpha, beta, gamma, delta) != R(0.0);
+        device.together + R(0.5)*t3), alpha, beta, gamma, delta) > R(0.0);
 }
 
 REAL NAME(unstable_roots)(REAL alpha, REAL beta, REAL gamma, REAL delta, REAL d) {

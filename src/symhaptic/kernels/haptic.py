@@ -1047,24 +1047,57 @@ def device_at_minus_one_kick_together_n_gap_n0_n1(xp, gamma, delta):
 
 def cubic_root(xp, k0, k1, k2, k3, low, high, rise):
     """the root of a cubic on a piece where it bends one way"""
-    convex = xp.where(2.0*k2 + 3.0*k3*(high + low) > 0.0, xp.full_like(high, 1.0), -1.0)
+    number, begin3, begin4 = (8.271806125530277e-25, 5, 48) if k0.dtype == xp.float32 else (
+        1.499696813895631e-241, 8, 98)
+    three = 3.0*k3
+    two = 2.0*k2
+    convex = xp.where(three*(high + low) + two > 0.0, xp.full_like(high, 1.0), -1.0)
     down = xp.where(convex*rise > 0.0, xp.full_like(convex, 1.0), -1.0)
+    case1 = down > 0.0
+    begin = xp.where((convex*k0 > 0.0) & (high > 0.0) & (low < 0.0), 0.0,
+        xp.where(case1, high, low))
+    end = xp.where((convex*k0 <= 0.0) & (high > 0.0) & (low < 0.0), 0.0, xp.where(case1, low, high))
+    part = 0.0625*begin
+    above = xp.where((convex*(k0 + part*(k1 + part*(k2 + k3*part))) > 0.0) &
+        (xp.abs(end) < xp.abs(part)), xp.full_like(convex, 1.0), 0.0)
 
-    def over(y, moves, down, high, k0, k1, k2, k3, low):
+    def over(begin2, end2, convex, k0, k1, k2, k3):
+        return xp.abs(begin2) <= 16.0*xp.where(number > xp.abs(end2), number, xp.abs(end2))
+
+    def step(begin2, end2, convex, k0, k1, k2, k3):
+        size = (
+            square_root(xp, xp.abs(begin2))*square_root(xp,
+            xp.where(number > xp.abs(end2), number, xp.abs(end2)))
+        )
+        at = xp.where(begin2 < 0.0, -size, size)
+        outside = xp.where(convex*(at*(at*(at*k3 + k2) + k1) + k0) > 0.0, xp.full_like(at, 1.0),
+            0.0)
+        case1 = outside > 0.0
+        next_begin = xp.where(case1, at, begin2)
+        next_end = xp.where(case1, end2, at)
+        return next_begin, next_end
+
+    begin2, end2 = repeat(xp, begin3, over, step,
+        (xp.where(above > 0.0, part, begin),
+        xp.where((above <= 0.0) & (xp.abs(end) < xp.abs(part)), part, end)),
+        (convex, k0, k1, k2, k3))
+
+    def over(y, moves, down, high, k0, k1, k2, k3, low, three, two):
         return moves == 0.0
 
-    def step(y, moves, down, high, k0, k1, k2, k3, low):
-        steep = k1 + y*(2.0*k2 + 3.0*k3*y)
+    def step(y, moves, down, high, k0, k1, k2, k3, low, three, two):
+        steep = k1 + y*(three*y + two)
         case1 = steep == 0.0
         some = xp.where(case1, 1.0, steep)
         move = xp.where(case1, 0.0, (k0 + y*(k1 + y*(k2 + k3*y)))/some)
         new = xp.where(high < y - move, high, y - move)
         new = xp.where(low > new, low, new)
-        next_moves = xp.where(down*(y - new) > 0.0, xp.full_like(down, 1.0), 0.0)
-        return new, next_moves
+        moves = xp.where(down*(y - new) > 0.0, xp.full_like(down, 1.0), 0.0)
+        next_y = xp.where(moves > 0.0, new, y)
+        return next_y, moves
 
-    y, moves = repeat(xp, 1000, over, step, (xp.where(down > 0.0, high, low), 1.0),
-        (down, high, k0, k1, k2, k3, low))
+    y, moves = repeat(xp, begin4, over, step, (begin2, 1.0),
+        (down, high, k0, k1, k2, k3, low, three, two))
     return y
 
 
@@ -1535,14 +1568,16 @@ def late_device(xp, gamma, delta, part):
 
 
 def stable(xp, roots, alpha, beta, gamma, delta):
-    """1 where the loop is stable, else 0"""
+    """1 where the loop is stable, 0 where it is not, -1 where that is not certain"""
     number, number2 = (5.960464477539062e-07, 4194304.0) if roots.dtype == xp.float32 else (
         1.1102230246251565e-15, 2251799813685248.0)
     swing = square_root(xp, gamma)
-    return xp.where((alpha > -gamma) & (roots == 0.0) &
+    yes_ = xp.where((alpha > -gamma) & (roots == 0.0) &
         (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0) & (gamma > 0.0))) &
         (~((delta < number) & (gamma > 1.0) & (swing >= number2*xp.abs(xp.sin(swing))))),
         xp.full_like(alpha, 1.0), 0.0)
+    return yes_ - xp.where(((alpha == 0.0) & (beta == 0.0) & (delta == 0.0) & (gamma > 0.0)) |
+        (alpha <= -gamma) | (roots > 0.0) | (yes_ > 0.0), xp.full_like(alpha, 0.0), 1.0)
 
 
 def nearest_point(xp, y, rest, off, center, beyond):
@@ -2586,7 +2621,7 @@ def is_stable(alpha, beta, gamma, delta, d):
     roots = unstable_roots(alpha, beta, gamma, delta, d)
 
     def work(roots, alpha, beta, gamma, delta):
-        return stable(xp, roots, alpha, beta, gamma, delta) != 0.0
+        return stable(xp, roots, alpha, beta, gamma, delta) > 0.0
 
     return settled(xp, work, roots, alpha, beta, gamma, delta)
 

@@ -614,21 +614,41 @@ def device_at_minus_one_kick_together_n_gap_n0_n1(gamma, delta):
   return at_minus_one_out, kick__out, together_out, n_gap_out, n0_out, n1_out
 
 def cubic_root(k0, k1, k2, k3, low, high, rise):
-  convex = 1.0 if 2.0*k2 + 3.0*k3*(high + low) > 0.0 else -1.0
+  three = 3.0*k3
+  two = 2.0*k2
+  convex = 1.0 if three*(high + low) + two > 0.0 else -1.0
   down = 1.0 if convex*rise > 0.0 else -1.0
-  y = high if down > 0.0 else low
+  begin = 0.0 if convex*k0 > 0.0 and high > 0.0 and low < 0.0 else (high if down > 0.0 else low)
+  end = 0.0 if convex*k0 <= 0.0 and high > 0.0 and low < 0.0 else (low if down > 0.0 else high)
+  part = 0.0625*begin
+  above = 1.0 if abs(end) < abs(part) and convex* \
+      (k0 + part*(k1 + part*(k2 + k3*part))) > 0.0 else 0.0
+  begin2 = part if above > 0.0 else begin
+  end2 = part if above <= 0.0 and abs(end) < abs(part) else end
+  for count_begin2 in range(8):
+    if abs(begin2) <= 16.0*max(1.499696813895631e-241, abs(end2)):
+      break
+    size = sqrt(abs(begin2))*sqrt(max(1.499696813895631e-241, abs(end2)))
+    at = -size if begin2 < 0.0 else size
+    outside = 1.0 if convex*(at*(at*(at*k3 + k2) + k1) + k0) > 0.0 else 0.0
+    next_begin = at if outside > 0.0 else begin2
+    next_end = end2 if outside > 0.0 else at
+    end2 = next_end
+    begin2 = next_begin
+  y = begin2
   moves = 1.0
-  for count_y in range(1000):
+  for count_y in range(98):
     if moves == 0.0:
       break
-    steep = k1 + y*(2.0*k2 + 3.0*k3*y)
+    steep = k1 + y*(three*y + two)
     some = 1.0 if steep == 0.0 else steep
     move = 0.0 if steep == 0.0 else (k0 + y*(k1 + y*(k2 + k3*y)))/some
     new = min(high, y - move)
     new2 = max(low, new)
-    next_moves = 1.0 if down*(y - new2) > 0.0 else 0.0
-    moves = next_moves
-    y = new2
+    moves2 = 1.0 if down*(y - new2) > 0.0 else 0.0
+    next_y = new2 if moves2 > 0.0 else y
+    moves = moves2
+    y = next_y
   CubicRoot_out = y
   return CubicRoot_out
 
@@ -1027,13 +1047,12 @@ def late_device(gamma, delta, part):
 
 def stable(roots, alpha, beta, gamma, delta):
   swing = sqrt(gamma)
-  if alpha > -gamma and not ( \
+  yes = 1.0 if alpha > -gamma and not ( \
       alpha == 0.0 and beta == 0.0 and delta == 0.0 and gamma > 0.0) and not ( \
       delta < 1.1102230246251565e-15 and gamma > 1.0 and swing >= 2251799813685248.0* \
-      abs(sin(swing))) and roots == 0.0:
-    Stable_out = 1.0
-  else:
-    Stable_out = 0.0
+      abs(sin(swing))) and roots == 0.0 else 0.0
+  Stable_out = yes - (0.0 if ( \
+      alpha == 0.0 and beta == 0.0 and delta == 0.0 and gamma > 0.0) or alpha <= -gamma or roots > 0.0 or yes > 0.0 else 1.0)
   return Stable_out
 
 def nearest_point(y, rest, off, center, beyond):
@@ -1446,12 +1465,12 @@ def is_stable(alpha, beta, gamma, delta, d):
   t3 = delta*n_gap
   if part == 0.0:
     stable__out = stable(whole_roots(alpha, beta, d, n1, n0, gamma, at_minus_one, t1, together, \
-        t3), alpha, beta, gamma, delta) != 0.0
+        t3), alpha, beta, gamma, delta) > 0.0
   else:
     apart, m2, kicked, m0 = late_device(gamma, delta, part)
     stable__out = stable(fractional_roots(alpha, beta, whole, m2, m0, gamma, at_minus_one, t1, \
         together, apart, 0.5*kick_of*(delta*m2 + 2.0*kicked) + 0.5*m2*(gamma*together + t1) - 0.5* \
-        together + 0.5*t3), alpha, beta, gamma, delta) != 0.0
+        together + 0.5*t3), alpha, beta, gamma, delta) > 0.0
   return stable__out
 
 def unstable_roots(alpha, beta, gamma, delta, d):

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#define STAMP "373742a06d8dc6fc"
+#define STAMP "62020b49d4579f04"
 
 extern "C" {
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,

@@ -177,7 +177,7 @@ def stuck(gamma: Array, delta: Array) -> NDArray[np.bool_]:
     whatever the wall: nothing makes the loop stable.
     """
     one = np.ones_like(gamma)
-    return np.asarray(haptic.stable(np, 0 * one, one, 0 * one, gamma, delta) == 0)
+    return np.asarray(haptic.stable(np, 0 * one, one, 0 * one, gamma, delta) < 1)
 
 
 @at_once("discretize")

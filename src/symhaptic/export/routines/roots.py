@@ -21,6 +21,7 @@ the device once, and what is left of the phase there decides; s4d_roots_counted_
 
 from __future__ import annotations
 
+from math import ceil, log2
 from types import SimpleNamespace
 
 from symhaptic.export.routines.prelude import *
@@ -415,18 +416,19 @@ def whole_roots(given, precision):
 
 @routine()
 def stable(roots, alpha, beta, gamma, delta, precision):
-    """1 where the loop is stable, else 0"""
+    """1 where the loop is stable, 0 where it is not, -1 where that is not certain"""
     # no root outside, none at 1, and no device that swings on whatever the wall does
     swing = do("swing", sqrt(gamma))
     free = And(Eq(alpha, 0), Eq(beta, 0), Eq(delta, 0), gamma > 0)
     bound = 2 * precision.last * swing
     stuck = And(delta < 5 * precision.last, gamma > 1, Abs(sp.sin(swing)) <= bound)
-    return choose(And(Eq(roots, 0), alpha > -gamma, Not(free), Not(stuck)), 1, 0)
+    yes = do("yes", choose(And(Eq(roots, 0), alpha > -gamma, Not(free), Not(stuck)), 1, 0))
+    return yes - choose(Or(yes > 0, roots > 0, alpha <= -gamma, free), 0, 1)
 
 
 @routine()
 def free_stable(alpha, beta, d, n1, n0, at_minus_one, loss, together, apart, precision):
-    """1 where a loop without a spring is stable, else 0"""
+    """1 where a loop without a spring is stable, 0 where it is not, -1 where that is not certain"""
     # the angle is that of the crossing; no turn is left of its phase where none is outside
     last = unit(precision)
     slope, force, far = _wall()
@@ -443,15 +445,36 @@ def free_stable(alpha, beta, d, n1, n0, at_minus_one, loss, together, apart, pre
     turns = do("turns", phase_turns(point, loop))
     end, _ = _at_the_end(far, last, a_off)
     pull = do("weaker", Abs(apart * far) - at_minus_one)
-    weak = And(alpha > 0, pull < 0, Not(end), Not(_faint(precision, S.Zero)))
-    return choose(weak, choose(Eq(turns, 0), 1, 0), 0)
+    clear = And(Not(end), Not(_faint(precision, S.Zero)))
+    kicked = Abs(n0 * beta) > 2  # by more than 1, with a margin: the product of all roots
+    counted = choose(Eq(turns, 0), 1, choose(Or(Abs(turns) > 0, kicked), 0, -1))  # turns may be NaN
+    strong = choose(Or(alpha <= 0, kicked, And(pull >= 0, clear)), 0, -1)
+    return choose(And(alpha > 0, pull < 0, clear), counted, strong)
 
 
 # -- behind a fraction of a period -------------------------------------------------------------
 
-_STEPS = 1000
-"""At most so many; a root that is far smaller than the piece is approached by halves, and the
-faintest wall that is counted has one of 2^-800."""
+_NEAR = 16
+"""How many times larger than its root the place may be at most from which Newton's method goes."""
+
+
+def _steps(precision):
+    """After how many steps Newton's method is at the last place of the root of a cubic.
+
+    Each leaves two thirds of the distance at most.  Let f and f' be positive and f convex at a
+    distance of u above the root r, at y.  Then f'/f is the sum of 1/(y - s) over all roots s.  A
+    real one is at r, below it or above y, so it adds 1/u at most.  Two complex ones of the real
+    part c add 2/(y - c) at most if c < y, else less than 0.  With r < c < y the inflection, which
+    is the mean of all roots, would lie between r and y.  So f'/f <= 3/u.
+    """
+    return ceil((precision.bits + log2(_NEAR)) / log2(1.5))
+
+
+def _halvings(precision):
+    """How often the exponent is halved before: the faintest root is the square of the faintest
+    wall that is counted, and the largest one is below 4."""
+    return ceil(log2(log2(4 / float(precision.vanishing) ** 2) / log2(_NEAR)))
+
 
 NEAR, OWN, FAR = range(3)
 """Zones: y, y - center and 4 - y are the variable."""
@@ -613,19 +636,46 @@ def piece_turns(terms, low, high, at_low, at_high, zone, loop, precision):
 
 
 @routine(terms=TERMS)
-def cubic_root(terms, low, high, rise):
+def cubic_root(terms, low, high, rise, precision):
     """the root of a cubic on a piece where it bends one way"""
-    _, k1, k2, k3 = terms
-    convex = do("convex", choose(3 * k3 * (low + high) + 2 * k2 > 0, 1, -1))
+    k0, k1, k2, k3 = terms
+    three, two = do("three", 3 * k3), do("two", 2 * k2)
+    convex = do("convex", choose(three * (low + high) + two > 0, 1, -1))
     down = do("down", choose(rise * convex > 0, 1, -1))  # from this end it never overshoots
+    # next to 0 a root is known to its own digits, so a piece on both sides of it is cut there
+    before = And(low < 0, high > 0, k0 * convex > 0)
+    behind = And(low < 0, high > 0, k0 * convex <= 0)
+    begin = do("begin", choose(before, 0, choose(down > 0, high, low)))
+    end = do("end", choose(behind, 0, choose(down > 0, low, high)))
+    # a root that is far smaller than the begin is approached by geometric means first
+    part = do("part", begin / _NEAR)
+    far = Abs(part) > Abs(end)
+    above = do("above", choose(And(far, convex * _value(terms, part) > 0), 1, 0)) > 0
+    least = precision.vanishing**2
+    start = {
+        "begin": choose(above, part, begin),
+        "end": choose(And(far, Not(above)), part, end),
+    }
+
+    def mean(begin, end):
+        size = do("size", sqrt(Abs(begin)) * sqrt(Max(Abs(end), least)))
+        at = do("at", choose(begin < 0, -size, size))
+        outside = do("outside", choose(convex * _value(terms, at) > 0, 1, 0)) > 0
+        return choose(outside, at, begin), choose(outside, end, at)
+
+    def near(begin, end):
+        return Abs(begin) <= _NEAR * Max(Abs(end), least)
+
+    begin, _ = do.repeat(start, mean, near, _halvings(precision))
 
     def step(y, _):
-        steep = do("steep", (3 * k3 * y + 2 * k2) * y + k1)
+        steep = do("steep", (three * y + two) * y + k1)
         some = do("some", choose(Eq(steep, 0), 1, steep))
         move = do("move", choose(Eq(steep, 0), 0, _value(terms, y) / some))
         new = do("new", Min(y - move, high))
         new = do("new", Max(new, low))
-        return new, choose((y - new) * down > 0, 1, 0)
+        moves = do("moves", choose((y - new) * down > 0, 1, 0))
+        return choose(moves > 0, new, y), moves  # not back, where a slope is its own rounding
 
-    start = {"y": choose(down > 0, high, low), "moves": S.One}
-    return do.repeat(start, step, lambda _, moves: Eq(moves, 0), _STEPS)[0]
+    start = {"y": begin, "moves": S.One}
+    return do.repeat(start, step, lambda _, moves: Eq(moves, 0), _steps(precision))[0]
