@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
+import sympy as sp
 from sympy import Expr, Pow, S, Symbol, exp, sqrt
 
 from symhaptic.book.rests import said
@@ -228,8 +229,11 @@ def spec(proof: Proof, theorem: Theorem) -> None:
     (premise,), values = theorem.premises, theorem.given[1]
     claim = premise.conclusion
     assert isinstance(claim, ForAll)
+    if any(is_complex(v) for s, v in values.items() if v.is_Symbol and not is_complex(s)):
+        _spec_of_real(proof, theorem)
+        return
     found = f"{proof.have(premise)} {' '.join(_values(proof, claim.over, values))}"
-    turns = _evaluated(proof, claim.body, values)
+    turns, angles = _evaluated(proof, claim.body, values), _turned(proof, claim.body, values)
     if _vanishes(claim.body, values):
         name = proof.new("P")
         proof.say(
@@ -238,14 +242,38 @@ def spec(proof: Proof, theorem: Theorem) -> None:
             f"rewrite (Cexp_nought a) in {name} by Cring end.",
             f"finish {name}.",
         )
-    elif turns:
+    elif turns or angles:
         given, name = proof.new("G"), proof.new("P")
         implied = isinstance(theorem.conclusion, Implies)
         proof.say(*[f"intros {given}."] * implied, f"pose proof ({found}) as {name}.")
+        proof.say(*(f"{angle} in {name} by (f_equal; Cpushed; Csame_field)." for angle in angles))
         proof.say(*(f"{turn} in {name}." for turn in turns))
         proof.say(*[f"feed {name} {given}."] * implied, f"finish {name}.")
     else:
         proof.say(f"finish ({found}).")
+
+
+def _spec_of_real(proof: Proof, theorem: Theorem) -> None:
+    """At complex symbols that what is implied says to be real: each is taken for its real part."""
+    claim: Any = theorem.premises[0].conclusion
+    values = [term(theorem.given[1][s]) for s in claim.over]
+    given, known, names = proof.new("G"), proof.new("P"), proof.names
+    proof.say(f"intros {given}.")
+    kept = dict(names.spelled)
+    for symbol in dict.fromkeys(v for v in values if v.is_Symbol and is_complex(v)):
+        at, real = names[symbol], proof.new("r")
+        proof.say(
+            f"assert (E : {at} = RtoC (Re {at})) by (opened; match goal with A : Cless _ {at} |- _ "
+            "=> apply injective_projections; [reflexivity | exact (proj1 (proj2 A))] end).",
+            f"revert {given} E; generalize (Re {at}); intros {real} {given} E; subst {at}.",
+        )
+        names.spelled[symbol] = f"(RtoC {real})"
+    parts = " ".join(f"(Re ({complex_text(v, names)})%C)" for v in values)
+    names.spelled = kept
+    proof.say(
+        f"revert {given}; pose proof ({proof.have(theorem.premises[0])} {parts}) as {known}.",
+        f"simpl in {known}; finish {known}.",
+    )
 
 
 @shows
@@ -332,6 +360,20 @@ def _vanishes(claim: Proposition, values: Terms) -> bool:
         f.args[0] for p in _all_parts(claim) for t in p.terms for f in t.atoms(exp) if complex_(f)
     )
     return any(e.xreplace(dict(values)) == 0 for e in exponents if e != 0)
+
+
+def _turned(proof: Proof, claim: Proposition, values: Terms) -> list[str]:
+    """Tactics that write complex exponentials as SymPy does where a quotient stands in them."""
+    quotients = {s: v for s, v in values.items() if term(v).is_Mul and sp.denom(v).free_symbols}
+    turns = {f for p in _all_parts(claim) for t in p.terms for f in t.atoms(exp) if complex_(f)}
+    names, kept, lines = proof.names, dict(proof.names.spelled), set()
+    for turn in turns:
+        if turn.free_symbols & quotients.keys() and not complex_(*values.values()):
+            new = complex_text(turn.xreplace(quotients), names)
+            names.spelled |= {s: f"({real_text(term(v), names)})%R" for s, v in quotients.items()}
+            old, names.spelled = complex_text(turn, names), dict(kept)
+            lines.add(f"replace ({old})%C with ({new})%C")
+    return sorted(lines)
 
 
 def _square_roots(claim: Proposition, values: Terms) -> list[str]:
