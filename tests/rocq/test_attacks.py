@@ -151,6 +151,7 @@ def plants(expr):
     return certificate(expr, RANGES, named(SMALL))
 
 
+TENTH = "the roots of a tenth of a half turn"
 ATTACKS = {
     # kind: the theorem, and wrong variants of its statement
     "an identity": (
@@ -600,6 +601,13 @@ ATTACKS = {
         ),
         [("y + Cexp(Ci*theta)", "y + Cexp(-Ci*theta)"), ("Cexp(Ci*n*x)", "Cexp(Ci*n^2*x)")],
     ),
+    TENTH: (
+        lambda: inst(combined(cos(pi / x) + y >= 0, [assume(y + cos(pi / x) >= 0)]), {x: S(10)}),
+        [
+            ("-> (0 <= sqrt(5)/8 + 5/8 /\\ 0 <= y", "-> (0 <= sqrt(5)/8 + 5/8 /\\ 1 <= y"),
+            ("y + sqrt(sqrt(5)/8 + 5/8)) -> ", "y + sqrt(sqrt(5)/8 + 7/8)) -> "),
+        ],
+    ),
     "real parts of a product": (
         lambda: combined(
             cos(x + n) >= 0, [assume(Relation(S.Zero, "<=", re(exp(I * x) * exp(I * n))))]
@@ -661,6 +669,15 @@ def folder(tmp_path_factory):
     made = compiled.prepared(tmp_path_factory.mktemp("rocq"))
     compiled.prelude_compiled(made)
     return made
+
+
+def test_other_roots_are_not_those_of_a_tenth_of_a_half_turn(folder):
+    (lemma,) = (s for s in file_of(ATTACKS[TENTH][0]()).steps if s.name == "turn_by_a_tenth")
+    wrong = [("-1/4 + sqrt(5)/4 /\\ cos", "1/4 + sqrt(5)/4 /\\ cos"), ("+ 5/8", "- 5/8")]
+    for i, (old, new) in enumerate(wrong):
+        other = replace(lemma, name=f"wrong_{i}", statement=lemma.statement.replace(old, new))
+        assert other.statement != lemma.statement
+        assert list(compiled.failing(folder, BEGIN + other.written())) == [other.name]
 
 
 @pytest.mark.parametrize("kind", ATTACKS)

@@ -23,7 +23,7 @@ from symhaptic.notation.proposition import (
 from symhaptic.notation.terms import is_complex, term
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.complexes import complex_text
-from symhaptic.rocq.steps import Proof, premises
+from symhaptic.rocq.steps import Proof, Step, premises
 from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
 
 Written = Callable[[Proof, Theorem], None]
@@ -198,9 +198,53 @@ def _functions(claim: Proposition, bound: frozenset[Symbol] = frozenset()) -> It
         yield from _functions(inner, bound)
 
 
+TENTH = {
+    sp.pi / 10: {sp.sin: "proj1 turn_by_a_tenth", sp.cos: "proj2 (proj2 turn_by_a_tenth)"},
+    2 * sp.pi / 5: {sp.cos: "proj1 (proj2 turn_by_a_tenth)"},
+}
+"""Angles whose sines or cosines are roots that the library does not know, and where they stand."""
+
+
 def _evaluated(proof: Proof, claim: Proposition, values: Terms) -> list[str]:
     """Tactics that write functions as SymPy does where terms stand in place of symbols."""
-    return evaluated(_functions(claim), values, proof.names)
+    lines = evaluated(_functions(claim), values, proof.names)
+    moved = {s: term(v) for s, v in values.items()}
+    if complex_(*moved, *moved.values()):
+        return lines
+    for f in dict.fromkeys(_functions(claim)):
+        angle = f.args[0].xreplace(moved)
+        if isinstance(f, (sp.sin, sp.cos)) and f.func in TENTH.get(angle, {}):
+            way, new = f"({f.func}({real_text(angle, proof.names)}))", f.xreplace(moved)
+            written = f"{way} ({real_text(new, proof.names)})"
+            lines = [line.replace(written, f"{way} {way}") for line in lines]
+            lines.insert(-1, f"rewrite ?({TENTH[angle][f.func]})")
+            proof.helpers += [_tenth(proof)] * all(h.name != TURN for h in proof.helpers)
+    return lines
+
+
+TURN = "turn_by_a_tenth"
+
+
+def _tenth(proof: Proof) -> Step:
+    """From cos 3 x = sin 2 x for a twentieth of a turn."""
+    root = "-1/4 + sqrt(5)/4"
+    said = f"sin(PI/10) = {root} /\\ cos(2*PI/5) = {root} /\\ cos(PI/10) = sqrt(sqrt(5)/8 + 5/8)"
+    lines = """
+assert (P := PI_RGT_0); assert (Q : sqrt 5 * sqrt 5 = 5) by (apply sqrt_sqrt; lra).
+assert (S : 0 < sin (PI/10)) by (apply sin_gt_0; lra).
+assert (C : 0 < cos (PI/10)) by (apply cos_gt_0; lra); assert (One := pythagoras (PI/10)).
+assert (D : cos (2*(PI/10) + PI/10) = sin (2*(PI/10))) by (rewrite <- cos_shift; f_equal; field).
+rewrite cos_plus, sin_2a, cos_2a in D.
+assert (E : 4 * sin (PI/10) ^ 2 + 2 * sin (PI/10) - 1 = 0).
+{ apply Rmult_eq_reg_l with (cos (PI/10)); [nra | lra]. }
+assert (F : sin (PI/10) = -1/4 + sqrt 5 / 4) by (assert (R := sqrt_pos 5); nra).
+split; [exact F |]; split.
+- rewrite <- F, <- (cos_shift (PI/10)); f_equal; field.
+- apply Rsqr_inj; [lra | apply sqrt_pos |]; rewrite Rsqr_sqrt by (assert (R := sqrt_pos 5); lra).
+  unfold Rsqr; rewrite F in One; nra.
+"""
+    rule, claim = proof.step.rule, proof.step.conclusion
+    return Step(TURN, rule, (), (), claim, said, lines=lines.strip().splitlines())
 
 
 def evaluated(functions: Iterable[Expr], values: Terms, names: Names) -> list[str]:
