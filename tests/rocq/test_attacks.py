@@ -1,12 +1,12 @@
 """Rocq says no: what is wrong in one place is not proved by the proof of what is right."""
 
-import re
+import re as regex
 import shutil
 from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
-from sympy import E, I, Lt, Rational, S, atan, cos, exp, pi, sin, sqrt, symbols, tan
+from sympy import E, I, Lt, Rational, S, atan, cos, exp, pi, re, sin, sqrt, symbols, tan
 
 from symhaptic.book import foreign
 from symhaptic.book.lemmas.stiffest_stable import SMALL, M, P
@@ -151,6 +151,7 @@ def plants(expr):
     return certificate(expr, RANGES, named(SMALL))
 
 
+TENTH = "the roots of a tenth of a half turn"
 ATTACKS = {
     # kind: the theorem, and wrong variants of its statement
     "an identity": (
@@ -577,6 +578,46 @@ ATTACKS = {
         ),
         [("((z <> 1 :> C)%C) -> ", ""), ("((z <> 0 :> C)%C) -> ", ""), ("z^2 - z", "z^2 - 2*z")],
     ),
+    "a positive number in place of a complex one": (
+        lambda: combined(Relation(z, "!=", S.Zero), [assume(Relation(S.Zero, "<", z))]),
+        [("-> ((z <> 0", "-> ((z <> 1"), ("((Cless (0)%C (z)%C)) -> ", "")],
+    ),
+    "a real number that is a complex symbol": (
+        lambda: spec(
+            gen(disch(combined(x * y > 0, [assume(x > 0), assume(y > 0)]), x > 0, y > 0), x),
+            {x: z},
+        ),
+        [("(Cless (0)%C (z)%C)", "(True)"), ("(Cless (0)%C (y*z)", "(Cless (1)%C (y*z)")],
+    ),
+    "an angle that becomes a quotient": (
+        lambda: spec(
+            assume(
+                ForAll(
+                    (x,),
+                    Implies((proposition(x > 0), Relation(y + exp(I * n * x), "!=", S.Zero))),
+                )
+            ),
+            {x: theta / n},
+        ),
+        [("y + Cexp(Ci*theta)", "y + Cexp(-Ci*theta)"), ("Cexp(Ci*n*x)", "Cexp(Ci*n^2*x)")],
+    ),
+    TENTH: (
+        lambda: inst(combined(cos(pi / x) + y >= 0, [assume(y + cos(pi / x) >= 0)]), {x: S(10)}),
+        [
+            ("-> (0 <= sqrt(5)/8 + 5/8 /\\ 0 <= y", "-> (0 <= sqrt(5)/8 + 5/8 /\\ 1 <= y"),
+            ("y + sqrt(sqrt(5)/8 + 5/8)) -> ", "y + sqrt(sqrt(5)/8 + 7/8)) -> "),
+        ],
+    ),
+    "real parts of a product": (
+        lambda: combined(
+            cos(x + n) >= 0, [assume(Relation(S.Zero, "<=", re(exp(I * x) * exp(I * n))))]
+        ),
+        [("cos(n + x)", "sin(n + x)"), ("cos(n + x)", "cos(n - x)")],
+    ),
+    "zeros in a root of pi": (
+        lambda: roots_inside(z**2 - z * sqrt(pi**2 - 9) / 2 + Rational(1, 3), z, {}),
+        [("1/3", "4/3"), ("/\\ stable", "/\\ ~ stable"), ("-9 + PI^2", "-10 + PI^2")],
+    ),
     "the last coefficient": (
         lambda: last_coefficient(assume(Predicate("stable", (z,), (z**3 - x * z + y,)))),
         [("y < 1", "x < 1"), ("-1 < y", "0 < y"), ("z^3", "z")],
@@ -616,9 +657,9 @@ def variants(number, kind):
         texts[f"kind_{number}_{i}_both"] = replace(other, lines=lines).written()
     body = "\n".join(s.written() for s in before)
     for name, text in texts.items():
-        body += "\n" + re.sub(rf"\b{target.name}\b", name, text)
+        body += "\n" + regex.sub(rf"\b{target.name}\b", name, text)
     for step in before:
-        body = re.sub(rf"\b{step.name}\b", f"of_{number}_{step.name}", body)
+        body = regex.sub(rf"\b{step.name}\b", f"of_{number}_{step.name}", body)
     return body, {name: (kind, name) for name in texts}
 
 
@@ -628,6 +669,15 @@ def folder(tmp_path_factory):
     made = compiled.prepared(tmp_path_factory.mktemp("rocq"))
     compiled.prelude_compiled(made)
     return made
+
+
+def test_other_roots_are_not_those_of_a_tenth_of_a_half_turn(folder):
+    (lemma,) = (s for s in file_of(ATTACKS[TENTH][0]()).steps if s.name == "turn_by_a_tenth")
+    wrong = [("-1/4 + sqrt(5)/4 /\\ cos", "1/4 + sqrt(5)/4 /\\ cos"), ("+ 5/8", "- 5/8")]
+    for i, (old, new) in enumerate(wrong):
+        other = replace(lemma, name=f"wrong_{i}", statement=lemma.statement.replace(old, new))
+        assert other.statement != lemma.statement
+        assert list(compiled.failing(folder, BEGIN + other.written())) == [other.name]
 
 
 @pytest.mark.parametrize("kind", ATTACKS)

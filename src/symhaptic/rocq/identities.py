@@ -15,6 +15,7 @@ from typing import TypeAlias
 import sympy as sp
 from sympy import Expr
 
+from symhaptic.notation.terms import is_complex
 from symhaptic.rocq.complexes import complex_text
 from symhaptic.rocq.terms import Names, NotPrinted, complex_, imaginary, real_text
 
@@ -93,6 +94,10 @@ class _Parts:
             for unit, count in _found(_exponent(expr), self.exponents):
                 found *= self.variable(sp.exp(unit)) ** count
             return found
+        if isinstance(expr, sp.re) and not any(map(is_complex, expr.free_symbols)):
+            j = self.image(sp.I)
+            whole = sp.rem(sp.expand(self.image(expr.args[0])), j**2 + 1, j)
+            return whole.as_independent(j, as_Add=True)[0]
         if expr.is_Add or expr.is_Mul:
             return expr.func(*(self.image(a) for a in expr.args))
         if expr.is_Pow and expr.exp.is_Integer:
@@ -211,6 +216,11 @@ def plain(expr: Expr) -> Expr:
 
 
 Image = Callable[[Expr], Expr]
+PARTS = (
+    "repeat match goal with |- context [Re ?z] => let x := eval cbv beta iota zeta delta "
+    "[Re fst snd Cmult Cplus Copp Cminus RtoC Ci] in (Re z) in change (Re z) with x end."
+)
+"""A tactic that writes the real part of a product in the parts of its factors."""
 
 
 def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Names) -> list[str]:
@@ -233,9 +243,10 @@ def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Na
     if not of_complex:
         return [*lines, "by_squares."]
     raised = any(p.exp.free_symbols for t in terms for p in t.atoms(sp.Pow))
+    lines += [PARTS] * any(t.has(sp.re) for t in terms)
     lines.append("Clifted; Csums." if raised else "Clifted.")
     rules = _rules(parts, names)
-    lines += [rule.format(f"Sq{i}") for i, rule in enumerate(rules, 1)]
+    lines += [rule.replace("{}", f"Sq{i}") for i, rule in enumerate(rules, 1)]
     by = f" [{' '.join(f'Sq{i}' for i in range(1, len(rules) + 1))}]" if rules else ""
     divided = any(sp.denom(p).free_symbols for t in terms for p in sp.Mul.make_args(sp.together(t)))
     ways = [f"solve [ring{by}]", f"solve [field{by}; Cnz]"]
@@ -330,8 +341,9 @@ def _rules(parts: _Parts, names: Names) -> list[str]:
             found.append(f"pose proof (Csine_square ({angle})) as {{}}.")
         elif function.is_Pow and function.exp == sp.S.Half:
             base, root = complex_text(function.base, names), real_text(function, names)
+            as_products = "; cbn [Cpower] in {}" if function.base.has(sp.pi**2) else ""
             found.append(
                 f"assert ({{}} : ({root} * {root} = {base} :> C)%C) "
-                "by (apply Croot_square; [rooted | Cpushed; Csame_field])."
+                f"by (apply Croot_square; [rooted | Cpushed; Csame_field]){as_products}."
             )
     return found

@@ -74,7 +74,8 @@ def roots_inside(proof: Proof, theorem: Theorem) -> None:
     claim: Any = theorem.conclusion
     inside = claim if isinstance(claim, Predicate) else claim.of[0]
     degree = int(sp.degree(inside.of[0], *inside.over))
-    proof.say(f"opened; defined; zeros {_BITS + 2 * degree}%positive.")
+    beside = " repeat (split; [rooted |]);" * _nested(inside.of[0])
+    proof.say(f"opened; defined;{beside} zeros {_BITS + 2 * degree}%positive.")
 
 
 LEAVES["root_outside"] = roots_inside
@@ -175,7 +176,13 @@ def combined(proof: Proof, theorem: Theorem) -> None:
     ]
     proof.say("- " + "; ".join([*dict.fromkeys(zeros), ring]) + ".")
     known = _differences(signed, names) if c and claim.sign == "!=" else []
-    if known:
+    above = c and claim.sign == "!=" and len(theorem.premises) == 1 and not known
+    if above and _relation(theorem.premises[0]).sign == "<":
+        proof.say(
+            "- first [Capart | intro Z; match goal with P : Cless _ _ |- _ => "
+            "destruct (Cpos_minus _ _ P) as [_ Q] end; rewrite Z in Q; simpl in Q; lra]."
+        )
+    elif known:
         proof.say("-", *(f"  {line}" for line in known), "  Capart.")
     elif claim.sign != "=":
         proof.say(f"- {c}apart." if claim.sign == "!=" else f"- {c}signed.")

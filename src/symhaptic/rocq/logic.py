@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
+import sympy as sp
 from sympy import Expr, Pow, S, Symbol, exp, sqrt
 
 from symhaptic.book.rests import said
@@ -22,7 +23,7 @@ from symhaptic.notation.proposition import (
 from symhaptic.notation.terms import is_complex, term
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.complexes import complex_text
-from symhaptic.rocq.steps import Proof, premises
+from symhaptic.rocq.steps import Proof, Step, premises
 from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
 
 Written = Callable[[Proof, Theorem], None]
@@ -197,9 +198,53 @@ def _functions(claim: Proposition, bound: frozenset[Symbol] = frozenset()) -> It
         yield from _functions(inner, bound)
 
 
+TENTH = {
+    sp.pi / 10: {sp.sin: "proj1 turn_by_a_tenth", sp.cos: "proj2 (proj2 turn_by_a_tenth)"},
+    2 * sp.pi / 5: {sp.cos: "proj1 (proj2 turn_by_a_tenth)"},
+}
+"""Angles whose sines or cosines are roots that the library does not know, and where they stand."""
+
+
 def _evaluated(proof: Proof, claim: Proposition, values: Terms) -> list[str]:
     """Tactics that write functions as SymPy does where terms stand in place of symbols."""
-    return evaluated(_functions(claim), values, proof.names)
+    lines = evaluated(_functions(claim), values, proof.names)
+    moved = {s: term(v) for s, v in values.items()}
+    if complex_(*moved, *moved.values()):
+        return lines
+    for f in dict.fromkeys(_functions(claim)):
+        angle = f.args[0].xreplace(moved)
+        if isinstance(f, (sp.sin, sp.cos)) and f.func in TENTH.get(angle, {}):
+            way, new = f"({f.func}({real_text(angle, proof.names)}))", f.xreplace(moved)
+            written = f"{way} ({real_text(new, proof.names)})"
+            lines = [line.replace(written, f"{way} {way}") for line in lines]
+            lines.insert(-1, f"rewrite ?({TENTH[angle][f.func]})")
+            proof.helpers += [_tenth(proof)] * all(h.name != TURN for h in proof.helpers)
+    return lines
+
+
+TURN = "turn_by_a_tenth"
+
+
+def _tenth(proof: Proof) -> Step:
+    """From cos 3 x = sin 2 x for a twentieth of a turn."""
+    root = "-1/4 + sqrt(5)/4"
+    said = f"sin(PI/10) = {root} /\\ cos(2*PI/5) = {root} /\\ cos(PI/10) = sqrt(sqrt(5)/8 + 5/8)"
+    lines = """
+assert (P := PI_RGT_0); assert (Q : sqrt 5 * sqrt 5 = 5) by (apply sqrt_sqrt; lra).
+assert (S : 0 < sin (PI/10)) by (apply sin_gt_0; lra).
+assert (C : 0 < cos (PI/10)) by (apply cos_gt_0; lra); assert (One := pythagoras (PI/10)).
+assert (D : cos (2*(PI/10) + PI/10) = sin (2*(PI/10))) by (rewrite <- cos_shift; f_equal; field).
+rewrite cos_plus, sin_2a, cos_2a in D.
+assert (E : 4 * sin (PI/10) ^ 2 + 2 * sin (PI/10) - 1 = 0).
+{ apply Rmult_eq_reg_l with (cos (PI/10)); [nra | lra]. }
+assert (F : sin (PI/10) = -1/4 + sqrt 5 / 4) by (assert (R := sqrt_pos 5); nra).
+split; [exact F |]; split.
+- rewrite <- F, <- (cos_shift (PI/10)); f_equal; field.
+- apply Rsqr_inj; [lra | apply sqrt_pos |]; rewrite Rsqr_sqrt by (assert (R := sqrt_pos 5); lra).
+  unfold Rsqr; rewrite F in One; nra.
+"""
+    rule, claim = proof.step.rule, proof.step.conclusion
+    return Step(TURN, rule, (), (), claim, said, lines=lines.strip().splitlines())
 
 
 def evaluated(functions: Iterable[Expr], values: Terms, names: Names) -> list[str]:
@@ -228,8 +273,11 @@ def spec(proof: Proof, theorem: Theorem) -> None:
     (premise,), values = theorem.premises, theorem.given[1]
     claim = premise.conclusion
     assert isinstance(claim, ForAll)
+    if any(is_complex(v) for s, v in values.items() if v.is_Symbol and not is_complex(s)):
+        _spec_of_real(proof, theorem)
+        return
     found = f"{proof.have(premise)} {' '.join(_values(proof, claim.over, values))}"
-    turns = _evaluated(proof, claim.body, values)
+    turns, angles = _evaluated(proof, claim.body, values), _turned(proof, claim.body, values)
     if _vanishes(claim.body, values):
         name = proof.new("P")
         proof.say(
@@ -238,14 +286,38 @@ def spec(proof: Proof, theorem: Theorem) -> None:
             f"rewrite (Cexp_nought a) in {name} by Cring end.",
             f"finish {name}.",
         )
-    elif turns:
+    elif turns or angles:
         given, name = proof.new("G"), proof.new("P")
         implied = isinstance(theorem.conclusion, Implies)
         proof.say(*[f"intros {given}."] * implied, f"pose proof ({found}) as {name}.")
+        proof.say(*(f"{angle} in {name} by (f_equal; Cpushed; Csame_field)." for angle in angles))
         proof.say(*(f"{turn} in {name}." for turn in turns))
         proof.say(*[f"feed {name} {given}."] * implied, f"finish {name}.")
     else:
         proof.say(f"finish ({found}).")
+
+
+def _spec_of_real(proof: Proof, theorem: Theorem) -> None:
+    """At complex symbols that what is implied says to be real: each is taken for its real part."""
+    claim: Any = theorem.premises[0].conclusion
+    values = [term(theorem.given[1][s]) for s in claim.over]
+    given, known, names = proof.new("G"), proof.new("P"), proof.names
+    proof.say(f"intros {given}.")
+    kept = dict(names.spelled)
+    for symbol in dict.fromkeys(v for v in values if v.is_Symbol and is_complex(v)):
+        at, real = names[symbol], proof.new("r")
+        proof.say(
+            f"assert (E : {at} = RtoC (Re {at})) by (opened; match goal with A : Cless _ {at} |- _ "
+            "=> apply injective_projections; [reflexivity | exact (proj1 (proj2 A))] end).",
+            f"revert {given} E; generalize (Re {at}); intros {real} {given} E; subst {at}.",
+        )
+        names.spelled[symbol] = f"(RtoC {real})"
+    parts = " ".join(f"(Re ({complex_text(v, names)})%C)" for v in values)
+    names.spelled = kept
+    proof.say(
+        f"revert {given}; pose proof ({proof.have(theorem.premises[0])} {parts}) as {known}.",
+        f"simpl in {known}; finish {known}.",
+    )
 
 
 @shows
@@ -332,6 +404,20 @@ def _vanishes(claim: Proposition, values: Terms) -> bool:
         f.args[0] for p in _all_parts(claim) for t in p.terms for f in t.atoms(exp) if complex_(f)
     )
     return any(e.xreplace(dict(values)) == 0 for e in exponents if e != 0)
+
+
+def _turned(proof: Proof, claim: Proposition, values: Terms) -> list[str]:
+    """Tactics that write complex exponentials as SymPy does where a quotient stands in them."""
+    quotients = {s: v for s, v in values.items() if term(v).is_Mul and sp.denom(v).free_symbols}
+    turns = {f for p in _all_parts(claim) for t in p.terms for f in t.atoms(exp) if complex_(f)}
+    names, kept, lines = proof.names, dict(proof.names.spelled), set()
+    for turn in turns:
+        if turn.free_symbols & quotients.keys() and not complex_(*values.values()):
+            new = complex_text(turn.xreplace(quotients), names)
+            names.spelled |= {s: f"({real_text(term(v), names)})%R" for s, v in quotients.items()}
+            old, names.spelled = complex_text(turn, names), dict(kept)
+            lines.add(f"replace ({old})%C with ({new})%C")
+    return sorted(lines)
 
 
 def _square_roots(claim: Proposition, values: Terms) -> list[str]:
