@@ -20,7 +20,7 @@ def counted():
         "theorems": r"statements, (\w+) rest on a theorem",
         "rocq": r"has checked (\w+) of the statements from end to end",
         "others": r"(\w+) statements are definitions or rest on data outside",
-        "slips": r"(\w+) are slips of the text",
+        "slips": r"(\w+) are errors in the text",
         "undecided": r"(\w+) are undecided",
         "rules": r"(\w+) rules of thumb",
         "record": r"(\w+) statements of a design record",

@@ -110,9 +110,10 @@ def calls(rows: list[Row]) -> Table:
         found.append(tuple(cells))
     says = (
         "The table gives the fastest call with at most this error, and its time per value. The "
-        "error is relative to the largest term, for all ordinary and hard parameters, and no "
-        "result is NaN. C is exported code, and digits= is an argument of the function. lambdify "
-        "makes the functions for float32 and for mpmath, here with the given number of digits."
+        "error is the largest one over all ordinary and hard parameters, relative to the largest "
+        "term of the result. No result is NaN. C is exported code, and digits= is an argument of "
+        "the function. lambdify makes the functions for float32 and for mpmath, here with the "
+        "given number of digits."
     )
     head = ("function", *(f"to {_power(most)}" for most in ERRORS))
     return Table("For this error, take this call", head, tuple(found), len(head), says)
