@@ -94,8 +94,8 @@ def _free(page):
         z ** (d + 2) * (1 + response * z**-d),
         z ** (d + 2) + mu / 2 * (z + 1),
         name="p_M(z)",
-        because="the loop's polynomial without the factor $(z-1)^2$ of the free motion at constant "
-        "speed, which a virtual mass does not change",
+        because="this is the loop's polynomial divided by $(z-1)^2$, the factor of a motion at "
+        "constant speed; a virtual mass does not change this motion",
     )
     found = page.lemma("Without delay a virtual mass is stable just below $2m$", free())
     slow = {m_v: Rational(3, 2), m: S.One, d: S.One}

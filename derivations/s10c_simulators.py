@@ -116,8 +116,8 @@ def _one_mass(page, exact):
         example=POINT | {K: S.Half},
         unless={little: (EDGE, escapes(SEMI_IMPLICIT, EDGE))},
         shows="$m=T=1$: $K=\\tfrac12$, $B=\\tfrac{19}{10}$ grows",
-        note="of semi-implicit Euler; for a device in place of a simulator no multiple of "
-        "$m/T^2$ is a limit (\\chapter{s8c_four_masses})",
+        note="for semi-implicit Euler; for a device in place of a simulator no multiple of $m/T^2$ "
+        r"is a limit (\chapter{s8c_four_masses})",
     )
 
 

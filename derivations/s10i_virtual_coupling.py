@@ -62,7 +62,7 @@ def _implicit(page):
     """The simulation of the mass."""
     symbols, given, _ = taken_apart(page.claim(IMPLICIT))
     page.say(
-        "Backward Euler goes from $x$, $v$ to $p=x+Tq$ and $q=v-Tkp/m$. The energy is "
+        "Backward Euler maps $x$ and $v$ to $p=x+Tq$ and $q=v-Tkp/m$. The energy is "
         "$\\frac12mv^2+\\frac12kx^2$ before and $\\frac12mq^2+\\frac12kp^2$ after the step."
     )
     found = page.lemma(

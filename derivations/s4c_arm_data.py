@@ -52,7 +52,8 @@ def derive(page):
     page.settle(
         "s4c-outlier",
         conj(*map(fact, page.claim("s4c-outlier").of)),
-        note="at least 3 times each of them; 9.4 and 3.4 times the next",
+        note="both ratios are at least 3 times those of every other arm, and 9.4 and 3.4 times the "
+        "next largest ones",
     )
     page.say("Two springs in series share the force, and their displacements add up:")
     series(page)

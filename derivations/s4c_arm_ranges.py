@@ -1,8 +1,8 @@
 """How much wider are the ranges (23) than the arms of the literature?
 
-According to the paper by roughly 30 %, and by 30 % in the caption of Fig. 6. The paper also assumes
-a period of at most 1 ms. We check both numbers, and ask for which periods the ranges contain all
-arms.
+According to the paper they are wider by roughly 30 %, and according to the caption of Fig. 6 by
+30 %. The paper also assumes a period of at most 1 ms. We check both numbers, and ask for which
+periods the ranges contain all arms.
 """
 
 from sympy import ceiling
@@ -88,8 +88,8 @@ def _extension(page):
         example=at,
         unless=[(at, denial)],
         shows=r"at $T=1$ ms the range of $\gamma$ grows by the factor $1.408$",
-        note=r"41\,\% and 31\,\%: true for $\delta$; safe for both; for shorter periods the margin "
-        "is wider still",
+        note=r"the ranges are extended by 41\,\% and 31\,\%, which is safe for both; the statement "
+        r"is true for $\delta$. For shorter periods the margin is still wider",
     )
 
 

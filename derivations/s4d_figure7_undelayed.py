@@ -68,5 +68,6 @@ def derive(page):
         "s4d-gamma-invisible",
         same,
         example=arms,
-        note="less than $0.002$ in each coordinate, of $0.69$ and $2$",
+        note="the boundary moves by less than $0.002$ in each coordinate; the region is $0.69$ "
+        "wide and $2$ high",
     )

@@ -69,8 +69,8 @@ def derive(page):
         "therefore positive, and no root is at infinity."
     )
     page.say(
-        "Together: \\emph{all roots lie inside exactly if $c_n,c_{n-2},\\ldots$ and $c_0$ are "
-        "positive, and the $m$ leading minors}. These are $n+1$ inequalities. Among them are "
+        "So \\emph{all roots lie inside if and only if $c_n,c_{n-2},\\ldots$, $c_0$ and the $m$ "
+        "leading minors are positive}. These are $n+1$ inequalities. Among them are "
         "$c_0=p(1)$ and $c_n=(-1)^np(-1)$, and all $c_k$ are linear in the coefficients of $p$: "
         "half planes, for our loop."
     )
@@ -156,8 +156,9 @@ def inners(page):
         minors[-1],
         matrices[-1].det(),
         name="|X-Y|",
-        because=f"with $X-Y={latex(matrices[-1])}$; the other minor is that of its inner, without "
-        "the first and last row and column, and his others, $|X+Y|$, are not needed",
+        because=f"with $X-Y={latex(matrices[-1])}$; the other minor is the determinant of its "
+        "inner matrix, without the first and last row and column. Jury's other determinants, "
+        "$|X+Y|$, are not needed",
     )
 
 

@@ -71,9 +71,9 @@ def formulas(page, minor):
     most = RISE * (beta + delta) * (1 - n_0 * beta) / (n_0 * (1 + n_1 * beta))
     page.same("the minor vanishes", minor.subs(alpha, most), S.Zero)
     page.say(
-        "So for $0<\\delta\\le\\tfrac13$ a wall is stable exactly if $-\\delta<\\beta<1/n_0$ and "
-        "$0<\\alpha<\\alpha_0(\\beta)$, where the minor vanishes at $\\alpha_0$. At $\\delta=4.6$ "
-        "the third half plane is needed, too."
+        "So for $0<\\delta\\le\\tfrac13$ a wall is stable if and only if "
+        "$-\\delta<\\beta<1/n_0$ and $0<\\alpha<\\alpha_0(\\beta)$, where the minor vanishes "
+        "at $\\alpha_0$. At $\\delta=4.6$ the third half plane is needed, too."
     )
     f = exp(-delta)
     left = 1 - (1 + delta) * f

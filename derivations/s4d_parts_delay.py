@@ -42,8 +42,8 @@ def derive(page):
     )
     page.lemma("Without delay $\\alpha=-0.0009$, $\\beta=-0.011$ is not stable", unstable_at(wall))
     page.say(
-        r"The same happens to walls with $K>0$ with longer delays: at $\gamma=0.001$, "
-        r"$\delta=0.02$ to the wall $\alpha=0.0001$, $\beta=-0.022$."
+        r"With longer delays the same happens to walls with $K>0$, such as $\alpha=0.0001$, "
+        r"$\beta=-0.022$ at $\gamma=0.001$, $\delta=0.02$."
     )
     stiff = {**wall, alpha: Rational(1, 10000), beta: Rational(-11, 500), delta: Rational(1, 50)}
     page.lemma(

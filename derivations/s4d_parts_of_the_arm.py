@@ -17,7 +17,7 @@ from symhaptic.paper.propositions.stability import MORE
 
 def derive(page):
     page.say(
-        "\\emph{The spring.} No delay, no damping, $\\alpha=\\tfrac{269}{400}$ and "
+        "\\emph{The spring.} Take no delay, no damping, $\\alpha=\\tfrac{269}{400}$ and "
         "$\\beta=\\tfrac{97}{100}$. With a free mass the wall is stable:"
     )
     wall = {
@@ -42,7 +42,7 @@ def derive(page):
     )
     page.say(
         "\\emph{The mass.} With everything else unchanged, $\\alpha$, $\\beta$ and $\\delta$ are "
-        "inversely proportional to $m$. One period of delay, $\\delta=0.02$, "
+        "inversely proportional to $m$. Take one period of delay, $\\delta=0.02$, "
         "$\\alpha=\\tfrac9{800}$, $\\beta=-\\tfrac{13}{4000}$ and no spring:"
     )
     light = {

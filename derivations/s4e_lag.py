@@ -70,8 +70,8 @@ def settle(page, derived):
         example=easy,
         unless={Eq(b, 0): (damped, forbidden(same, damped))},
         shows=r"$m=b=T=1$, $t_d=\tfrac12$, $k=B=0$: Routh allows $K<2$, (24) only $K<1$",
-        note=r"as Routh's condition for the lag without the term $\frac{bt_e}m(b+B+kt_e)$. For the "
-        "sampled loop it is neither necessary nor sufficient",
+        note=r"this is Routh's condition for the lag without the term $\frac{bt_e}m(b+B+kt_e)$. "
+        "For the sampled loop it is neither necessary nor sufficient",
     )
 
 

@@ -76,9 +76,9 @@ def stiffness(page, whole):
         example=easy,
         unless={Eq(b, 0): (sprung, more_with_a_spring(same, sprung))},
         shows=r"$m=b=t_e=k=1$, $B=0$: Routh allows $K<3$, and $K<2$ without the spring",
-        note="as Routh's condition for the lag. (24) has no $k$ as it drops the term with $k$; "
-        "that the lower limit is $K>-k$ is exact for the lag ($a_0=k+K$) and necessary for the "
-        "sampled loop (s4d-left-bound)",
+        note="this holds for Routh's condition for the lag. (24) does not contain $k$, because it "
+        "drops the term with $k$. The lower limit $K>-k$ is exact for the lag ($a_0=k+K$) and "
+        "necessary for the sampled loop (s4d-left-bound)",
     )
 
 
@@ -116,7 +116,8 @@ def plane(page, kept, whole):
         unless={Eq(delta, 0): (damped, forbidden(same, damped))},
         shows=r"$\delta=1$, $d=\tfrac12$, $\beta=\gamma=0$: Routh allows $\alpha<2$, (25) only "
         r"$\alpha<1$",
-        note="as Routh's condition for the lag. It is (24) by Table I, and as good as (24)",
+        note="this is Routh's condition for the lag without one term. By Table I it is equivalent "
+        "to (24)",
     )
 
 

@@ -37,7 +37,7 @@ def derive(page):
         24 * (beta - alpha * (d + HALF))
         - 3 * (d + 1) * (slack**2 + (d + 1) * alpha * slack + d * (d + 2) * alpha**2 / 3),
         name=r"3\,(c_1c_2-c_0c_3)",
-        because="with $\\alpha>0$ and $2\\beta>d\\alpha$ by the other two",
+        because="the other two inequalities give $\\alpha>0$ and $2\\beta>d\\alpha$",
     )
     page.lemma("Every stable wall of a free mass satisfies (25)", above_the_line(), boxed=True)
     page.say(

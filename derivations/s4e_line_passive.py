@@ -40,8 +40,8 @@ def derive(page):
         "s4e-same-as-passive",
         same_condition(*both.of),
         example={K: S.One, B: S.One, b: S.One, T: S.One, d: S.One, t_d: S.One},
-        note="as formulas, for every real $d$. (9) bounds the passive walls for integer $d$ and "
-        "in its range of $B$ only, and with $b=b_D$ by (3)",
+        note="the two formulas agree for every real $d$. (9) bounds the passive walls for integer "
+        "$d$ and in its range of $B$ only, and with $b=b_D$ by (3)",
     )
     page.say(
         "In (24) the damping is $b_D+b_H$ by (2), in (9) it is $b_D$ by (3): for passivity the "

@@ -14,8 +14,9 @@ def derive(page):
     page.say(
         "A wall is stable where Jury's inequalities hold (\\chapter{s4d_jury_counted}). On the "
         "line, $\\beta=(d+\\frac12)\\alpha-\\delta$, each of them is a polynomial in $\\alpha$. "
-        "The last one, of the largest minor, is the one that fails first. With "
-        "$g=s_1-\\delta-\\frac\\gamma2\\ge0$, the gap of the arm's numbers, it is without delay"
+        "The last one, which contains the largest minor, fails first. Let "
+        "$g=s_1-\\delta-\\frac\\gamma2\\ge0$ be the gap between the start of the boundary and the "
+        "line. Without delay this minor is"
     )
     total = n_1 + n_0
     *_, minor = jury.criterion(jury.coefficients(0)).expressions

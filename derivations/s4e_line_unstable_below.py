@@ -22,10 +22,10 @@ def derive(page):
         "a quarter for $d=1$, nearly half for long delays",
     )
     page.say(
-        r"The walls with (25), $\alpha>-\gamma$ and $\beta\le\beta_\times$ are a triangle. For "
-        "each of them there is a stiffer wall of the same damping on the line, which is not "
-        "above the crossing and so is stable. With less stiffness the largest of Jury's minors "
-        "is larger, and the other inequalities hold in the whole triangle."
+        r"The walls that satisfy (25), $\alpha>-\gamma$ and $\beta\le\beta_\times$ form a "
+        "triangle. For each of them there is a stiffer wall of the same damping on the line, which "
+        "is not above the crossing and so is stable. With less stiffness the largest of Jury's "
+        "minors is larger, and the other inequalities hold in the whole triangle."
     )
     claim = safe()
     theorem = as_claimed(claim, below_the_crossing())

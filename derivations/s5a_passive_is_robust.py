@@ -41,8 +41,8 @@ def _robust(page):
         example=(wall, shown(wall)),
         unless={stiff: (drift, shown(drift), shaken)},
         shows="without any stiffness the device drifts",
-        note="that is for every passive wall with stiffness and a damper; and for every "
-        r"$\gamma\ge0$, beyond the Nyquist frequency too",
+        note="it holds for every passive wall if the loop has stiffness and a damper, and for "
+        r"every $\gamma\ge0$, also beyond the Nyquist frequency",
     )
 
 

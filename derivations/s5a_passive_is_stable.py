@@ -72,7 +72,7 @@ def derive(page):
     page.lemma(
         "A wall with a margin at every angle is stable with every spring and damper",
         passive_is_stable(),
-        because=r"$\mathrm{stable}$ is about the exact loop, and $\mathrm{stable}_{(18)}$ about "
+        because=r"$\mathrm{stable}$ refers to the exact loop, and $\mathrm{stable}_{(18)}$ to "
         "the roots of (18); for integer delays both are the same. Zeros are continuous in the "
         "coefficients. Without a wall those of a damped device with a spring lie inside. Without "
         "a spring one lies at 1, and a small stiffness moves it inside",

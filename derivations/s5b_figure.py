@@ -90,8 +90,8 @@ def derive(page):
         name=r"\frac{2\delta\tan\frac{\pi u}{4}}{u}",
     )
     page.say(
-        r"This is the stable one at $\varphi=\tfrac\pi2$, but $\varphi\sin\varphi$ grows up to "
-        r"$1.8197$ at $\varphi=2.029$: without a spring $\eta$ falls towards "
+        r"This limit equals the stable one at $\varphi=\tfrac\pi2$, but $\varphi\sin\varphi$ "
+        r"increases to $1.8197$ at $\varphi=2.029$: without a spring $\eta$ falls towards "
         r"$\tfrac\pi2/1.8197=0.863$. With a spring it falls to 0, since some walls are stable for "
         "every delay:"
     )
@@ -112,7 +112,7 @@ def derive(page):
     )
     page.say(
         "Each of the drawn values is enclosed: from below by a stable wall next to the tip, from "
-        "above by one point of the circle. Of a polynomial $p$ of degree $n$ with its zeros "
+        "above by one point of the circle. For a polynomial $p$ of degree $n$ with its zeros "
         "inside, $n|p|^2<2\\Re\\bar p\\,zp'$ there, and at the tip's angle this is false for all "
         "stiffer walls:"
     )

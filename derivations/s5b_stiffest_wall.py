@@ -96,8 +96,9 @@ def boundary_in_angles(page):
         boundary.wall(walls.DEVICE)[0],
         -(turned + mirrored) / (2 * cos(theta / 2)),
         name=r"\alpha(\theta)",
-        because="so that it is $-R\\cos\\chi$ with $R=|A|/(|N|\\cos\\frac\\theta2)$: positive only "
-        "for $\\tfrac\\pi2<\\chi<\\tfrac{3\\pi}2$, as far as $\\chi<\\tfrac{5\\pi}2$",
+        because="it equals $-R\\cos\\chi$ with $R=|A|/(|N|\\cos\\frac\\theta2)$; for "
+        "$\\chi<\\tfrac{5\\pi}2$ this is positive only for "
+        "$\\tfrac\\pi2<\\chi<\\tfrac{3\\pi}2$",
     )
     page.define(r"The parameter is $\tau=\tan(\theta/2)$", tau, tan(theta / 2))
     page.define("and the angle of the delay plus one period", phi, (d + 1) * theta)

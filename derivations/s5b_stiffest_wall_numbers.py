@@ -70,8 +70,9 @@ def derive(page):
         "s5a-much-smaller",
         dimensions(),
         enclosed=True,
-        note=r"settled for the integer delays of Fig. 11: at $d=8$ a stable wall can be 2.46 times "
-        rf"as stiff and 9 times as damped; {HELD}",
+        note="settled for the integer delays of Fig. 11: at $d=8$ a stable wall can have 2.46 "
+        "times the largest passive stiffness, and another one 9 times the largest passive "
+        f"damping; {HELD}",
     )
     page.settle(
         "s5b-eta-d1",

@@ -51,6 +51,6 @@ def derive(page):
         r"passive ones; and $\eta$ falls again, without a spring from more than 0.9999 at "
         "$d=122$ to less than 0.91 at $d=1000$",
         note=r"for integer delays. Rounded to three digits, 0.9998 is 1; up to this delay $\eta$ "
-        r"grows between the delays of Fig. 12. With one $\delta$ for passivity and stability; "
-        r"for a device with an arm $\eta\le b_D/(b_D+b_H)$ (\texttt{one-delta})",
+        r"grows between the delays of Fig. 12. One $\delta$ stands for passivity and "
+        r"stability; for a device with an arm $\eta\le b_D/(b_D+b_H)$ (\texttt{one-delta})",
     )

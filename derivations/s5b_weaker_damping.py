@@ -60,6 +60,6 @@ def derive(page):
         unless={SHORT: (FAR, nearer(then.at(FAR)), not_short())},
         shows=r"at $d=200$ the two stiffnesses differ by 0.4\% for $\delta=0.01$ and by 1.4\% for "
         r"$0.02$",
-        note=r"in terms of the stiffness, and of integer delays; for $d\in\{2,4,8\}$ four dampings "
-        r"are compared (\texttt{weaker-damping}), nearer ones are not settled",
+        note=r"in terms of the largest stiffness, for integer delays; for $d\in\{2,4,8\}$ four "
+        r"dampings are compared (\texttt{weaker-damping}), nearer ones are not settled",
     )

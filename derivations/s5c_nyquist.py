@@ -39,8 +39,8 @@ def derive(page):
     )
     _in_units(page, turns)
     page.say(
-        "The Nyquist frequency is $\\omega T=\\pi$. Both sides being positive, "
-        "$\\omega T\\le\\pi$ is the same as their squares:"
+        "The Nyquist frequency is $\\omega T=\\pi$. Both sides of $\\omega T\\le\\pi$ are "
+        "positive, so their squares can be compared:"
     )
     page.lemma(
         "The damped frequency is at most the Nyquist frequency if and only if (30) holds",

@@ -53,7 +53,8 @@ def arms(page):
         enclosed=True,
         value=1000 * pi**2,
         note=r"$T=1$ ms. (23) was extended: the $710\,\mathrm{s}^{-2}$ of (21) give "
-        r"$\pi^2/0.00071=13\,900$, and faster sampling more in proportion to $1/T^2$",
+        r"$\pi^2/0.00071=13\,900$. With faster sampling the number increases in proportion to "
+        "$1/T^2$",
     )
     frequency = plant.Plant(damping=None).poles()[0]
     page.same("without damping", (frequency.subs(k, spring_of(m)) / I) ** 2, (pi / T) ** 2)

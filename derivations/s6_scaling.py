@@ -48,7 +48,7 @@ def derive(page):
         [_grown(point | {y: S(2)}, S(4), S(2)) for point in (BRAKED, SPRUNG)],
         shows=r"at twice the rate the wall $\alpha=0.713$ with $\delta=0.02$ becomes unstable, as "
         "for four times the stiffness",
-        note="the passive side is exact for every device",
+        note="the part on passivity is exact for every device",
     )
     heavier = page.lemma(
         "A stable wall grows with the mass, with constant $b/m$ and $k/m$",
@@ -95,8 +95,8 @@ def light(page):
     page.settle(
         "s6-light-device",
         found,
-        note="without dampers and springs, where the mass scales the stable walls; a sensible mass "
-        "is a matter of judgement and is not settled",
+        note="for devices without damper and spring, whose stable walls are proportional to the "
+        "mass; which mass is sensible is a matter of judgement and is not settled",
     )
 
 

@@ -114,9 +114,10 @@ def derive(page):
         real_part(on_circle((alpha + beta) * z / wall)).subs(needed),
         sin((l + 2) * theta) * cos((l + 1) * theta) / sin(theta),
         name="w",
-        because="with the phase $(\\ell+1)\\theta$ of $Q$; at most "
-        "$1+(\\ell+1)\\cos^2\\theta$ for $\\theta<\\frac\\pi2$, at most 1 beyond as $\\beta>0$: "
-        "$2p_1'(1)-(\\ell+4)p_1(1)=2\\beta-\\ell\\alpha$ is positive, and so is $p_1(1)=\\alpha$",
+        because="$Q$ has the phase $(\\ell+1)\\theta$. The rate $w$ is at most "
+        "$1+(\\ell+1)\\cos^2\\theta$ for $\\theta<\\frac\\pi2$, and at most 1 for larger angles, "
+        "since $\\beta>0$: $2p_1'(1)-(\\ell+4)p_1(1)=2\\beta-\\ell\\alpha$ is positive, and so is "
+        "$p_1(1)=\\alpha$",
     )
     page.lemma("No root crosses the half circle", no_crossing(), because="at $\\zeta=e^{j\\psi}$")
     page.lemma(
@@ -127,8 +128,8 @@ def derive(page):
     found = page.lemma(
         "Every stable wall is stable in the paper's reading",
         stable_as_read(),
-        because=r"there is no root with $\Re\zeta>0$ and $|\zeta|\ge1$ at the start, and none "
-        r"enters",
+        because=r"the exact loop has no root with $\Re\zeta>0$ and $|\zeta|\ge1$, and none enters "
+        r"this region during the deformation",
         boxed=True,
     )
     page.state(

@@ -74,10 +74,9 @@ def without_stiffness(page, share):
     found = page.lemma(
         "For every fractional delay the passive damping ranges from $-b$ to more than $b$",
         damping_late(),
-        because=r"from $\theta=\pi/(2(\ell+2))$ on the last term of $D$ leaves slack, and below it "
-        r"no "
-        r"cosine is negative. At $\theta\to0$ it is $D=b(b+B)$, and at $\theta=\pi/(\ell+2)$ "
-        r"no damping beyond $b/\varepsilon$ is passive",
+        because=r"for $\theta\ge\pi/(2(\ell+2))$ the last term of $D$ leaves a positive margin at "
+        r"$B=b$; for smaller angles no cosine is negative. At $\theta\to0$ it is $D=b(b+B)$, and "
+        r"at $\theta=\pi/(\ell+2)$ no damping beyond $b/\varepsilon$ is passive",
         boxed=True,
     )
     page.state(

@@ -18,8 +18,8 @@ def derive(page):
         r"In $\zeta$ the polynomial is "
         r"$\zeta^{q+r}A(\zeta^q)+N(\zeta^q)((\alpha+\beta)\zeta^q-\beta)$, of degree $3q+r$. On "
         r"each of the $q$ sheets the wall has another phase, a multiple of $2\pi d$. Let $q$ be "
-        r"even, as in all fractions of the paper. Then $r$ is odd, and at $\zeta=-1$ is $z=1$ "
-        "while $z^d=-1$: on this sheet the wall has the opposite sign."
+        r"even, as in all fractions of the paper. Then $r$ is odd, and $\zeta=-1$ gives $z=1$ "
+        "but $z^d=-1$: on this sheet the wall has the opposite sign."
     )
     static, total = device_static(assume(DEVICE)), n_1 + n_0
     for power, wall, title, because in (

@@ -17,7 +17,7 @@ def derive(page):
     page.say(
         r"The search looks for the angle at which $\alpha$ stops increasing along the boundary. "
         r"With $\alpha=\Re Q-t\,\Im Q$, $t=\tan(\theta/2)$ and the derivative $Q'$ with respect "
-        r"to the angle the slope is $\Re Q'-t\,\Im Q'-(1+t^2)\,\Im Q/2$."
+        r"to the angle, the slope is $\Re Q'-t\,\Im Q'-(1+t^2)\,\Im Q/2$."
     )
     names, slope = stable_slope.derived(n_1 * z + n_0, d, 0)
     meaning = dict(names)

@@ -58,8 +58,9 @@ def derive(page):
         name=r"\beta|_{\theta=\pi/(2(d+1))}",
     )
     page.say(
-        r"With a fractional delay it is the wall of \chapter{s6f_stiffest_passive_wall} with the "
-        "least stiffness that an angle allows. Near integer delays $1-S$, $C$ and "
+        r"With a fractional delay each angle bounds the stiffness "
+        r"(\chapter{s6f_stiffest_passive_wall}), and the wall with the smallest of these bounds is "
+        "computed. Near integer delays $1-S$, $C$ and "
         r"$\varepsilon(1-\varepsilon)$ vanish together there, so that the wall is written with "
         "quantities that do not vanish: where the slope of the bound vanishes,"
     )
