@@ -46,8 +46,8 @@ def derive(page):
         passivity.dirichlet_form(),
         name=r"b_{\min}(\theta)",
         boxed=True,
-        because="the Dirichlet kernel of order $d$ against a single cosine; the mass has dropped "
-        "out",
+        because="it consists of the Dirichlet kernel of order $d$ and a single cosine, and does "
+        "not contain the mass",
     )
     page.lemma(
         r"With an integer delay a wall is passive if and only if $K\ge0$ and the damper "

@@ -171,7 +171,9 @@ def _scenes(page):
         "Without its spring the other mass is free, too", swings, Omega, S.Zero, still, name="P"
     )
 
-    page.say("With the wall the sampled device closes to one of four polynomials:")
+    page.say(
+        "The closed loop of wall and sampled device has one of four characteristic polynomials:"
+    )
     a, e, n_1, n_0 = symbols("a e n_1 n_0")
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
     for title, kept, shape in (
@@ -209,7 +211,7 @@ def _scenes(page):
     page.say(
         f"The characteristic polynomials of all {len(ALL)} scenes follow from these and from the "
         f"wall; each of the {count} ways to leave out one part is checked to be a limit. Without "
-        "virtual damping the polynomial loses a root at 0 that means nothing; without delay it "
+        "virtual damping the polynomial loses a root at 0, which has no effect; without delay it "
         "loses the power of $z$."
     )
     least = _polynomial(Parts(False, False, False, False))

@@ -17,7 +17,7 @@ from symhaptic.proof.theorems.roots import degree, not_of_degree
 def derive(page):
     page.say(
         "In physical units the sampled device has the state $e^{AT}$ and the wall is "
-        "$H(z)z^{-d}$. The rules of Table I are put in afterwards, and both mass and period "
+        "$H(z)z^{-d}$. The rules of Table I are inserted afterwards, and both mass and period "
         "cancel: the result is the polynomial $p_1$ of (18), whose $a$, $e$, $n_1$ and $n_0$ "
         r"depend on $\gamma$ and $\delta$ only."
     )
@@ -43,7 +43,8 @@ def derive(page):
     page.say(
         "With $A(z)=z^2-az+e$, the part $A(z)z^{d+1}$ has degree $d+3$ and all that is left has "
         "degree 2. In the paper's scaling the leading coefficient is $-2c_1\\gamma$: the degree is "
-        "$d+3$ if that is not zero and $d$ is a whole number. The monic form always has it."
+        "$d+3$ if that is not zero and $d$ is an integer. The monic form has it for every "
+        "device."
     )
     _degree(page)
 

@@ -28,7 +28,7 @@ def derive(page):
     damper = page.lemma(
         "A stable wall stays stable with more damping, inside (23)",
         damper_adds(),
-        because="so that the region holds the one of less damping",
+        because="so the region contains the region for less damping",
     )
     page.say(
         r"With twice the mass $\alpha$ and $\beta$ of the same wall are half as large. In the "

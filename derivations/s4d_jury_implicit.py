@@ -114,7 +114,7 @@ def two_roads(page):
     device = Sampled(n_1, n_0, a, e)
     page.say(
         r"The degree in $\alpha$ rises by one with every period, so that the inequality cannot be "
-        "solved for longer delays. But the boundary stays explicit. Inserting the wall with a "
+        "solved for longer delays. But the boundary stays explicit. We insert the wall with a "
         r"root at $e^{j\theta}$ into the last minor, for any device and $d=0,1,2$:"
     )
     stiffness, damping = boundary.wall(device)

@@ -68,7 +68,7 @@ def derive(page):
         (turned + turned.xreplace({I: -I})) / 2,
         -(1 + e) * (1 - cos(theta)),
         name=r"\Re\frac Az",
-        because="$-\\tfrac12(1+e)y$, beside the imaginary part $(1-e)\\sin\\theta$",
+        because="it equals $-\\tfrac12(1+e)y$; the imaginary part is $(1-e)\\sin\\theta$",
     )
 
 

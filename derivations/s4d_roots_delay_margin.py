@@ -85,8 +85,9 @@ def derive(page):
     page.settle(
         "delay-margin",
         conj(speed_outwards(), one_angle()),
-        note=r"the velocity of a root is $\Re\{dz/(z\,dd)\}$ times $|dp_1/d\theta|^2$ is "
-        r"$\tfrac\theta2$ times the slope of the surplus $|f|^2-|g|^2$",
+        note=r"the radial velocity of a root is $\Re\{dz/(z\,dd)\}$; multiplied by "
+        r"$|dp_1/d\theta|^2$, it equals $\tfrac\theta2$ times the slope of the surplus "
+        "$|f|^2-|g|^2$",
     )
 
 

@@ -116,7 +116,7 @@ def _changed(page):
     )
     all_scaled(page)
     bare = {gamma: S.Zero, delta: BEFORE, d: S.Zero}
-    page.say("Now keep $b$. For $\\delta=\\frac1{50}$, the end of the range (23), two walls:")
+    page.say("Now keep $b$. Take two walls at $\\delta=\\frac1{50}$, the end of the range (23):")
     page.lemma(
         "For $\\gamma=0$, $\\delta=\\frac1{50}$ the wall $\\alpha=0.713$, $\\beta=0.825$ is stable",
         stable_at({**bare, **STIFF}),

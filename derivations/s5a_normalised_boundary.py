@@ -19,8 +19,8 @@ def derive(page):
     line = line.subs({K: alpha * m / T**2, B: beta * m / T}).subs(scaled)
     free = page.free_of("the line", line, T, m)
     page.say(
-        "The envelope of the passive walls, multiplied by $T^2/m$ and $T/m$: mass and period drop "
-        f"out of the line of each frequency ({free.method}), and so of the envelope, and both "
+        "We multiply the envelope of the passive walls by $T^2/m$ and $T/m$. Mass and period then "
+        f"drop out of the line of each frequency ({free.method}), and so out of the envelope. Both "
         "coordinates are proportional to $\\delta$."
     )
     page.step(

@@ -51,7 +51,7 @@ def derive(page):
         stiffness.subs(quarter),
         tan(theta / 2) * need / size,
         name=alpha,
-        because="the passive bound, with $\\Re\\{A/((z-1)N)\\}>\\delta$ in place of $\\delta$",
+        because="this is the passive bound with $\\Re\\{A/((z-1)N)\\}$ in place of $\\delta$",
     )
     bare = plant.numbers(S.Zero, delta)
     page.limit(

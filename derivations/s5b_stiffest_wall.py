@@ -64,7 +64,7 @@ def derive(page):
     page.say(
         "The theorem holds for every device, with or without spring and damper. It bounds the "
         "stable stiffness by that of the tip. It does not show that walls just below the tip are "
-        "stable. It is shown in numbers where a chapter needs it, by balls around the zeros of "
+        "stable. Where a chapter requires this, it is proved by balls around the zeros of "
         r"one wall (\chapter{s5b_stiffest_wall_numbers}), and without delay in closed form "
         r"(\chapter{s5b_stiffest_undelayed})."
     )

@@ -73,7 +73,7 @@ def derive(page):
     page.say(
         "So the exact boundary is slightly closer to the origin. This compares the first arcs "
         "only. For the regions we deform the exact loop into that of the paper's reading and "
-        r"follow the roots $\zeta=\sqrt z$ with $\Re\zeta>0$. Both polynomials differ by a term "
+        r"follow the roots $\zeta=\sqrt z$ with $\Re\zeta>0$. The two polynomials differ by a term "
         r"that is small near $\zeta=1$:"
     )
     polynomial = fractional.characteristic(Parts(False, False)).subs(half)

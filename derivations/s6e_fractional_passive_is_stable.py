@@ -44,9 +44,8 @@ def derive(page):
         "The damper dissipates at least this energy",
         ((1 - epsilon) * p_k + q_k) ** 2 / (1 - epsilon) + (epsilon * p_k - q_k) ** 2 / epsilon,
         p_k**2 + q_k**2 / (epsilon * (1 - epsilon)),
-        because="in the time in which one force is held, as in "
-        "\\chapter{s6d_fractional_passivity}; and more, unless the speed is constant in "
-        "both parts",
+        because="while one force is held, as in \\chapter{s6d_fractional_passivity}. Equality "
+        "requires a constant speed in each of the two parts",
     )
     page.say(
         "So the energy that damper and wall absorb, the form in $p$ and $q$ of "

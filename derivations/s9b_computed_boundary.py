@@ -59,7 +59,7 @@ def derive(page):
         r"The wall is then $\beta=-(p\,\mathrm{SinNext}+q\,\mathrm{CosNext})/\sin\theta$ and "
         r"$\alpha=q\,\mathrm{SinNext}-p\,\mathrm{CosNext}-\beta\sin\theta\tan(\theta/2)$. For the "
         "derivative it is written without a quotient that is 0/0 at the angle 0, with "
-        r"$r=q/(\cos(\theta/2)\sin(\theta/2))$. The theorem has both."
+        r"$r=q/(\cos(\theta/2)\sin(\theta/2))$. The theorem proves both forms."
     )
     settle(
         page,
