@@ -41,7 +41,7 @@ def _robust(page):
         example=(wall, shown(wall)),
         unless={stiff: (drift, shown(drift), shaken)},
         shows="without any stiffness the device drifts",
-        note="it holds for every passive wall if the loop has stiffness and a damper, and for "
+        note="it holds for every passive wall with stiffness if the device has a damper, and for "
         r"every $\gamma\ge0$, also beyond the Nyquist frequency",
     )
 

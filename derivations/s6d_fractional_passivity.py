@@ -111,8 +111,8 @@ def derive(page):
         need_**2 - need_ * r * x * cos(phi) - (1 - x**2) * r**2 / 4,
         r**2 * x * (1 + x) * (1 - cos(phi)) / 2,
         name=r"\frac{1}{b^2}\Bigl(b(b-n)-\ldots\Bigr)",
-        because=r"the difference is never negative, and zero for $\varphi=0$. Angles beyond the "
-        "first such angle therefore require no more damping",
+        because=r"the difference is never negative, and zero for $\varphi=0$. Angles beyond "
+        r"the first one with $\varphi=0$ therefore require no more damping",
     )
     for title, end, delay in (
         ("Without a fraction it is the condition of the delay $\\ell$", 0, l),
