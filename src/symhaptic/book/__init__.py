@@ -16,7 +16,7 @@ compute its results by another method.
 * ``foreign``: the record of what Rocq has checked
 * ``mutation``: each statement with one change, which must be refused
 * ``report``, ``figures``, ``parts``, ``plain``: the book, the site and their pictures, whose
-  colours are in `figures/style.py`; `report/pages.py` lists what each statement rests on
+  colours are in `book/figures/style.py`; `book/report/pages.py` lists what each statement rests on
 * ``consequences``: the order of the errata, and what each means for a device
 * ``measured``: the measurements of ``bench`` as a chapter
 
