@@ -185,7 +185,7 @@ def test_the_page_tells_what_the_scene_tells(page, tmp_path, name):  # noqa: F81
     assert math.isclose(told(page, "told-stiffest-passive"), scene.max_passive_stiffness(), **near)
     margin = 1000 * scene.delay_margin(500, 2)
     assert math.isclose(told(page, "told-delay"), margin, **near)
-    assert page.inner_text("#told-linear") == "not told"
+    assert page.inner_text("#told-linear") == "not computed"
     names = {}
     exec(page.inner_text("#code").split("print")[0], names)
     assert names["scene"] == scene
@@ -201,8 +201,8 @@ def test_the_page_tells_what_the_scene_tells(page, tmp_path, name):  # noqa: F81
 def test_passivity_is_not_told_between_two_periods(page):  # noqa: F811
     """With a filter (4) is of integer delays; the code then does not ask for it either."""
     go(page, PADDLE.replace("t_d=0.001", "t_d=0.0013").format(50, "low-pass"))
-    assert page.inner_text("#told-passive") == "passivity not told"
-    assert page.inner_text("#told-needed") == "not told"
+    assert page.inner_text("#told-passive") == "passivity not computed"
+    assert page.inner_text("#told-needed") == "not computed"
     assert "is_passive" not in page.inner_text("#code")
     page.select_option("#velocity", "difference")
     rest(page)

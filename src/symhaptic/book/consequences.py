@@ -145,8 +145,8 @@ RULES: dict[str, str] = {
     "about a device.",
     "rules:filter-as-delay": "Count a filter of the velocity as a delay only up to "
     "$B=2m\\tau_f/(T(T+4\\tau_f))$; beyond, use the bound of \\chapter{s10f_filtered_mass}.",
-    "rules:lag-below-delay": "Compute the limit with the actuator's lag; a device that swings may "
-    "be unstable behind a lag although it is stable behind an equal delay.",
+    "rules:lag-below-delay": "Compute the limit with the actuator's lag. A device with a spring "
+    "can be unstable with a lag although it is stable with an equal delay.",
     "rules:energy-leak": "With a delay of $d$ periods the damper needs $2d+1$ times as much.",
     "rules:delay-damping": "Round a fractional delay up to whole periods.",
     "coupling:damper": "The damping of the device must exceed $KT/2+|B|$; reduce $K$ if it does "

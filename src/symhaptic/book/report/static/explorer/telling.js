@@ -44,16 +44,16 @@
     const at = (theta) => (Number.isFinite(theta) && theta > 0 ? `swings at ${explorer.number(hertz(theta))} Hz` : "");
     judge("told-stable", limits.stable, "stable", "unstable");
     if (limits.told) judge("told-passive", limits.passive, "passive", "not passive");
-    else hold("told-passive", "passivity not told");
+    else hold("told-passive", "passivity not computed");
     const limit = Math.abs(limits.alpha) < 1e-14 ? 0 : limits.alpha; // where nothing damps, but for rounding
     say("told-limit", limit * K, "N/m", limit > 0 ? at(limits.theta) : "");
     if (Number.isFinite(limits.stiffest[0])) say("told-stiffest", limits.stiffest[0] * K, "N/m", [`with B = ${explorer.number(limits.stiffest[1] * B)} Ns/m`, at(limits.stiffest[2])].filter(Boolean).join(", "));
     else if (n.filter) say("told-stiffest", NaN, "N/m");
     else say("told-stiffest", NaN, "N/m", "outside of what the exported search covers", "not searched for");
-    const untold = ["with a filter it is computed for integer delays", "not told"];
+    const untold = ["with a filter it is computed for integer delays", "not computed"];
     if (!limits.told) for (const id of ["told-passive-limit", "told-stiffest-passive", "told-needed"]) say(id, NaN, "", ...untold);
     else passivity(s, limits, K, B, hertz);
-    if (n.filter) say("told-linear", NaN, "N/m", "the paper derives it for the difference of two samples", "not told");
+    if (n.filter) say("told-linear", NaN, "N/m", "the paper derives it for the difference of two samples", "not computed");
     else say("told-linear", limits.linear * K, "N/m");
     delay(limits, n, 1000 * T);
     rules(together(s), limit * K, n.filter);
