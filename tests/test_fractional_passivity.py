@@ -89,10 +89,19 @@ def test_margin_is_the_worst_of_all_angles(delay):
         assert worst - rounding <= need <= worst + slack
 
 
+@pytest.mark.parametrize("delay", [0.0, 0.25, 0.5, 1.0, 2.7])
+def test_stiffness_takes_from_the_margin_of_a_damper(delay):
+    """Where mere damping is not passive, no stiffness is; the stiffest passive wall rests on it."""
+    for B in (0.7, -0.7, 1.5, -1.5):
+        needs = [needed(K, B, delay).max() for K in (0.0, 0.01, 0.3, 2.0)]
+        assert needs == sorted(needs)
+
+
 @pytest.mark.parametrize("delay", [0.0, 0.25, 0.5, 1.0, 2.7, 8.0])
 def test_principal_sheet_is_condition_5_as_printed(delay):
     alpha, beta = np.array(WALLS).T
     found = 1 - passivity_margin(alpha, beta, 1.0, delay, sheet="principal")
+    assert passivity_margin(0.0, 0.0, 1.0, delay, sheet="principal") == 1  # of no wall
     for need, K, B in zip(found, alpha, beta, strict=True):
         worst = printed(K, B, delay).max()
         slack = 10 * (delay + 1) ** 3 * (K + abs(B)) * (ANGLES[1] - ANGLES[0]) ** 2

@@ -178,9 +178,11 @@ def test_the_margin_ends_its_window():
     assert scene.delay_margin(1e6, 2.0) == 0
 
 
-def test_region_of_a_paper_loop_is_the_paper_loop_s():
+@pytest.mark.parametrize("spring", [None, 400.0])
+def test_region_of_a_paper_loop_is_the_paper_loop_s(spring):
     """A virtual mass of 1e-13 kg changes nothing, but the general engine answers."""
     own = {"mass": 0.1, "damping": 0.5, "sampling_period": 0.001, "delay": 0.0015}
+    own["stiffness"] = spring
     mine, paper = Scene(**own, virtual_mass=1e-13).stable_region(), Scene(**own).stable_region()
     assert mine.area == pytest.approx(paper.area, rel=1e-5)
     assert pytest.approx(paper.max_stiffness.K, rel=1e-9) == mine.max_stiffness.K

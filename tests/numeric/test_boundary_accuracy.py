@@ -37,7 +37,7 @@ def off(point):
 
 
 def points(rng, count):
-    """Angles near 0 and pi, devices near half turns, hardly damped or not, delays up to 1e7."""
+    """Angles near 0 and pi, devices near half turns, hardly damped or not, delays up to 1e12."""
     turns = (rng.integers(1, 40, count) * np.pi) ** 2
     near = turns * (1 + rng.choice([-1, 1], count) * 10 ** rng.uniform(-15, -1, count))
     kind = rng.integers(3, size=count)
@@ -46,7 +46,7 @@ def points(rng, count):
     small = 10 ** rng.uniform(-12, -0.3, count)
     theta = np.minimum(np.where(rng.random(count) < 0.5, np.pi - small, small), 3.141592653589793)
     delay = np.where(rng.random(count) < 0.5, rng.uniform(0, 40, count),
-                     10 ** rng.uniform(0, 7, count))  # fmt: skip
+                     10 ** rng.uniform(0, 12, count))  # fmt: skip
     delay = np.where(rng.random(count) < 0.2, np.floor(delay), delay)
     return [tuple(map(float, row)) for row in zip(theta, gamma, delta, delay, strict=True)]
 

@@ -237,9 +237,9 @@ def test_series_of_what_is_no_real_number_are_refused():
 
 
 def test_other_kinds_of_these_libraries_are_refused_on_one_line():
-    xarray, pint = library("xarray"), library("pint")
+    xarray, pint, delayed = library("xarray"), library("pint"), library("dask").delayed
     units = pint.UnitRegistry()
-    for value in (xarray.DataTree(xarray.Dataset({"K": 0.1})), units.dimensionless):
+    for value in (xarray.DataTree(xarray.Dataset({"K": 0.1})), units.dimensionless, delayed(0.1)):
         with pytest.raises(ValueError, match=r"^alpha: .* is not allowed; give .*$"):
             is_stable(value, 0.1, 0.1, 0.1, 1)
 

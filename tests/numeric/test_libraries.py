@@ -138,6 +138,8 @@ def test_jax_differentiates_the_formula_for_the_largest_passive_stiffness():
             assert angle == 0
     edge = jax.grad(lambda x: symhaptic.passivity_boundary(1.0, x, 1.0)[0])(0.02)
     assert edge == pytest.approx(float(symhaptic.passivity_boundary(1.0, 1.0, 1.0)[0]), rel=1e-12)
+    with pytest.raises(ValueError, match=r"^delay: JAX cannot differentiate max_passive_stiffness"):
+        jax.grad(lambda d: symhaptic.max_passive_stiffness(0.02, d).alpha)(1.0)
 
 
 @pytest.mark.ci

@@ -8,6 +8,7 @@ import pytest
 from oracle import certified, principal
 
 from symhaptic import delay_margin, is_stable, lambdify, stability_boundary, unstable_roots
+from symhaptic.numeric.stability import Angle, turns
 
 
 @pytest.mark.parametrize("delta", [0.0, 1e-10, 1e-6, 1e-3])
@@ -201,3 +202,9 @@ def test_half_a_period_late_the_count_is_that_of_a_gamma_next_to_it(loop):
     near = np.nextafter(gamma, 0), gamma, np.nextafter(gamma, np.inf)
     exact = [certified(alpha, beta, float(g), delta, delay) for g in near]
     assert int(unstable_roots(*loop)) in exact
+
+
+def test_of_two_and_a_half_turns_the_least_rest_decides():
+    """A hair less is nearest to two turns, a hair more to three; their sum with 2.5 is 2.5."""
+    bare = Angle(np.full(2, 5.0), np.array([-1e-30, 1e-30]))
+    assert turns(bare, Angle(np.zeros(2), np.zeros(2)), np.zeros(2)).tolist() == [2, 3]

@@ -475,6 +475,7 @@ def test_beyond_the_range_of_floats_there_is_nothing():
         ({"position0": "1 s"}, "position0: '1 s' is not allowed"),
         ({"velocity0": np.nan}, "velocity0: nan is not allowed"),
         ({"external_force": [1.0, 2.0]}, "external_force: an array of shape .2,. is not allowed"),
+        ({"external_force": [0.0] * 99}, "external_force: an array of shape .99,. is not allowed"),
         ({"external_force": lambda t: np.inf}, "external_force: inf is not allowed"),
         ({"saturation": -1}, "saturation: -1 is not allowed"),
         ({"samples_between": 1.5}, "samples_between: 1.5 is not allowed"),
@@ -504,6 +505,7 @@ def test_a_duration_is_rounded_up_to_periods():
     scene = Scene(mass=M, sampling_rate="3 kHz")
     assert len(scene.simulate(1.0, 0.0, duration="1 s").time) == 3001
     assert len(scene.simulate(1.0, 0.0, duration=1e-3 + 1e-6).time) == 5
+    assert len(scene.simulate(1.0, 0.0, duration=1 + 1e-10).time) == 3001  # by round-off
 
 
 def test_ten_thousand_periods_are_quick():

@@ -168,6 +168,15 @@ def test_a_function_that_refers_to_itself_has_a_mark():
     assert mark(one) == mark(two) != mark(three)
 
 
+def test_a_variable_without_a_value_is_left_out_of_a_mark():
+    def f(a):
+        return g(a)
+
+    before = mark(f)
+    g = abs
+    assert mark(f) != before
+
+
 def test_what_cannot_be_compared_is_refused_where_it_is_kept(tmp_path):
     count = itertools.count()
     lines = (line for line in "ab")

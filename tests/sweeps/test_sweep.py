@@ -115,12 +115,20 @@ def test_a_series_of_pandas_keeps_its_index():
     assert found.person.to_numpy().tolist() == ["p", "q"]
 
 
+def test_an_axis_of_a_function_of_ones_own_keeps_its_name():
+    def sway(omega):
+        return 2 * omega
+
+    assert sweep(sway, omega=[1.0, 2.0]).sway.dims == ("omega",)
+
+
 def test_a_scene_is_swept_in_its_units():
     scene = Scene(mass=0.1, damping=0.5, sampling_period=1e-4, delay=1.5e-3)
     late = np.array([0.0, 1e-4, 3e-4, 7e-4])  # whole periods, though 3e-4/1e-4 is no whole float
     found = sweep("max_stable_stiffness", scene, delay=late, damping=[0.5, 1.0])
     assert found.K.dims == ("delay", "damping")
     assert found.K.attrs["units"] == "N/m"
+    assert found.K.attrs["long_name"] == "largest stable virtual stiffness"
     assert found.delay.attrs["units"] == "s"
     for i, delay in enumerate(late):
         for j, damping in enumerate((0.5, 1.0)):

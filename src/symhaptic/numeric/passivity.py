@@ -433,15 +433,12 @@ def max_passive_stiffness(
     return Extremum(*given(partial(stiffest, given.xp)))
 
 
-_SHARE = (math.sqrt(5) - 1) / 2
-"""Of an interval, what the golden section keeps."""
-
-
 def stiffest_passive_at(beta: Array, delta: float, delay: float) -> Extremum:
     """The largest stiffness of a passive wall with a given damping, and its worst angle.
 
     What a wall needs is a largest value of what motions need, each of which is linear in the wall:
-    so the passive walls are convex, and those of one damping an interval.  NaN where none is.
+    so the passive walls are convex, and those of one damping an interval.  It begins at no
+    stiffness, as stiffness takes from the margin.  NaN where it is empty.
     """
     shape, beta = np.shape(beta), np.ravel(beta)
     most = float(max_passive_stiffness(delta, delay).alpha)
@@ -449,8 +446,8 @@ def stiffest_passive_at(beta: Array, delta: float, delay: float) -> Extremum:
     def margin(alpha: Array) -> Array:
         return passivity_margin(alpha, beta, delta, delay)
 
-    low = np.where(margin(np.zeros_like(beta)) >= 0, 0.0, _most_passive(margin, beta, most))
-    high, known = np.full_like(low, 2 * most), margin(low) >= 0
+    low, high = np.zeros_like(beta), np.full_like(beta, 2 * most)
+    known = margin(low) >= 0
     for _ in range(64):
         middle = (low + high) / 2
         inside = margin(middle) >= 0
@@ -459,13 +456,3 @@ def stiffest_passive_at(beta: Array, delta: float, delay: float) -> Extremum:
     psi = haptic.worst_angle(np, alpha, beta, steps, delay - steps)
     found = alpha, beta, np.where(known, 2 * psi, np.nan)
     return Extremum(*(one.reshape(shape) for one in found))
-
-
-def _most_passive(margin: Callable[[Array], Array], beta: Array, most: float) -> Array:
-    """The stiffness of largest margin at each damping, by the golden section."""
-    low, high = np.zeros_like(beta), np.full_like(beta, most)
-    for _ in range(80):
-        one, two = high - _SHARE * (high - low), low + _SHARE * (high - low)
-        falls = margin(one) > margin(two)
-        low, high = np.where(falls, low, one), np.where(falls, two, high)
-    return (low + high) / 2

@@ -105,7 +105,6 @@ def count(
     v: Wall,
     steps: Array,
     whole: bool = True,
-    principal: bool = False,
     on_circle: Array | None = None,
 ) -> Array:
     """Number of roots outside the unit circle, as floats; ``steps`` is the whole delay.
@@ -137,23 +136,13 @@ def count(
     begin = np.where(v.alpha > 0, 0.0, side)
     end = np.where(v.at_minus_one > 0, side, 0.0) - (steps + 3)
     end = end + np.where(x.numerator_at_minus_one > 0, np.where(x.gap >= 0, 1.0, -1.0), 0.0)
-    if principal:
-        end = np.where(steps == np.floor(steps), end, 2 * np.rint(end / 2))
+    end = np.where(steps == np.floor(steps), end, 2 * np.rint(end / 2))  # on the principal sheet
     total += np.where(_leads(terms.near), begin, 0.0)
     total -= np.where(_leads(terms.far), end, 0.0)
     if on_circle is not None:
         return total
     size = np.abs(v.alpha) + np.abs(v.beta)
     return np.where((size > 0) & (size + x.loss < sizes.FAINT), -1.0, total)
-
-
-def split(delay: Array, sheet: str) -> tuple[Array, Array | None]:
-    """The whole delay and, for the exact sheet where it occurs, the fraction."""
-    if sheet == "principal":
-        return delay, None
-    steps = np.floor(delay)
-    part = delay - steps
-    return steps, part if np.any(part) else None
 
 
 _SHAKEN = 2.0**-42
@@ -166,7 +155,7 @@ def _count(alpha: Array, beta: Array, gamma: Array, delta: Array, delay: Array) 
 
     def work(al: Array, be: Array, dy: Array, *numbers: Array) -> list[Array]:
         found = [
-            count(Device(*numbers), wall(al * (1 + s), be * (1 + t)), dy, principal=True)
+            count(Device(*numbers), wall(al * (1 + s), be * (1 + t)), dy)
             for s, t in ((0, 0), *product((-_SHAKEN, _SHAKEN), repeat=2))
         ]
         same = np.logical_and.reduce([other == found[0] for other in found])

@@ -124,13 +124,12 @@ class SafeWalls:
 
     def is_passive(self, K: Any, B: Any) -> Any:
         """Whether walls are proved passive, and so for every arm that is."""
-        from shapely import Polygon, intersects_xy
+        from shapely import MultiPoint, intersects_xy
 
         K = arguments.real("K", in_unit("K", K, self.scene.unit("N/m")))
         B = arguments.real("B", in_unit("B", B, self.scene.unit("N*s/m")))
-        if len(self.passive_corners) < 3:
-            return False if K.ndim + B.ndim == 0 else np.zeros(np.broadcast(K, B).shape, bool)
-        found = intersects_xy(Polygon(self.passive_corners).convex_hull, *np.broadcast_arrays(K, B))
+        hull = MultiPoint(self.passive_corners).convex_hull
+        found = intersects_xy(hull, *np.broadcast_arrays(K, B))
         return bool(found) if np.ndim(found) == 0 else found
 
     @property

@@ -119,10 +119,10 @@ class _Marks:
         yield from map(self.of, (function.__code__, function.__defaults__, function.__kwdefaults__))
         for cell in function.__closure__ or ():
             try:
-                yield self.of(cell.cell_contents)
-            except ValueError as wrong:
-                if wrong.args != ("Cell is empty",):
-                    raise
+                contents = cell.cell_contents
+            except ValueError:  # it is empty
+                continue
+            yield self.of(contents)
         codes = [*_nested(function.__code__)]
         attributes = frozenset(name for code in codes for name in code.co_names)
         read = [i for code in codes for i in dis.get_instructions(code)]

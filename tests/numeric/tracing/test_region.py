@@ -108,6 +108,13 @@ def test_corners_have_two_of_the_boundaries(case):
         assert count >= 3 or double >= 2, (corner, count)
 
 
+def test_a_corner_where_two_arcs_hardly_cross_has_all_digits():
+    """Next to half a swing in a period: an end of either arc is off by 5e-9 of the stiffness."""
+    case = 9.86, 0.02, 8
+    corners = stable_region(*case).corners
+    assert on_circle(corners[corners[:, 0].argmax()], case)[0] == 4
+
+
 @pytest.mark.parametrize("case", [(0.001, 0.02, 2), (5.0, 0.02, 1), (2.0, 0.5, 2.5)], ids=str)
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-6])
 def test_error_bounds_the_distance_to_the_boundary(case, tolerance):

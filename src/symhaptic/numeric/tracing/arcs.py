@@ -101,7 +101,6 @@ class Loop:
             wall(alpha, beta),
             np.asarray(self.steps),
             self.whole,
-            self.sheet == "principal",
             on_circle=theta,
         )
         return [found]

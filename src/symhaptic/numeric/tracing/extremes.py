@@ -153,7 +153,7 @@ def _first_maximum(gamma: Array, delta: Array, delay: Array) -> Array:
         """alpha, beta and theta, NaN where another root is outside."""
         some, st = Device(*(v[at] for v in numbers)), steps[at]
         alpha, beta = point(some, theta, st)
-        others = stability.count(some, wall(alpha, beta), st, principal=True, on_circle=theta)
+        others = stability.count(some, wall(alpha, beta), st, on_circle=theta)
         stable = (others == 0) & (alpha > -gamma[at])
         return np.where(stable, [alpha, beta, theta], np.nan)
 

@@ -55,7 +55,7 @@ class Loops(NamedTuple):
 
     def can_leave(self, part: Array) -> NDArray[np.bool_]:
         """Whether roots can leave at all behind a fraction 0 < part <= 1."""
-        x = self.behind(np.where(part == 1, 0.0, part))
+        x = self.behind(part)
         leave = leads_at_minus_one(x, self.v)
         for c in crossings(surplus(x, self.v), False):
             leave |= c.there & c.rises
