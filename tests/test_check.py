@@ -98,7 +98,7 @@ def test_nan_of_the_print_explains_no_other_numbers(mine):
     ("formula", "name", "said"),
     [
         ("eq11", "swapped", "this is (11) with sine and cosine swapped"),
-        ("eq11", "single", "single precision"),
+        ("eq11", "single", "single precision: "),
         ("eq11", "given", "results are given in the order B, K"),
         ("eq11", "ordered", "arguments are taken in another order; --arguments d,T,b"),
         ("eq12", "misprint", "this is (12) as published; see the erratum of eq12"),
@@ -399,6 +399,8 @@ def test_junit_and_json(mine):
     assert found["agrees"]
     assert found["worst_ulp"] < 8
     assert found["exact_values"] > 900
+    wrong = compared(CHECKED["linear_limit"], lambda points: [(math.inf,) for _ in points], count=9)
+    assert '"worst_ulp": null' in report.json_text(report.Report(wrong, "mine", 0.0))
 
 
 def test_an_annotation_is_whole_whatever_the_command_is_called(tmp_path):

@@ -1,5 +1,6 @@
 """The report is complete, the same from run to run, and fits its lines."""
 
+import os
 import re
 import shutil
 import subprocess
@@ -251,3 +252,12 @@ def test_a_chapter_goes_into_a_thesis(tmp_path):
     assert not re.search(r"chapter \d|\.py\b", text)  # what a thesis does not have
     cited = (tmp_path / "symhaptic.bib").read_text(encoding="utf-8")
     assert re.findall(r"^@\w+\{(\w+)", cited, re.MULTILINE) == ["symhaptic", "Hulin2014"]
+
+
+def test_a_draft_that_another_run_is_making_stays(tmp_path):
+    young, old = (tmp_path / f"{place.DRAFT}{age}" for age in ("young", "old"))
+    for draft in (young, old):
+        draft.mkdir()
+    os.utime(old, (0, 0))
+    with place.drafted(tmp_path):
+        assert (young.exists(), old.exists()) == (True, False)

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy as sp
 from chapters import chapter
 from scipy.linalg import expm
 
@@ -26,9 +27,13 @@ from symhaptic import (
 from symhaptic.book.chapters import shipped
 from symhaptic.book.report import explorer
 from symhaptic.book.report.site import write
+from symhaptic.notation import K, d, t_d
+from symhaptic.notation.proposition import conjuncts, proposition, whole
 from symhaptic.notation.quantities import decimal, nearest
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness, stiffest_at
 from symhaptic.numeric.tracing.margin import delay_margin, max_delay
+from symhaptic.paper.propositions.registry import CLAIMED
+from symhaptic.paper.propositions.stability import LOOPS
 from symhaptic.paper.tables import TABLE_II
 from symhaptic.rules import PLAIN as RULES
 from symhaptic.scene.device_file import read
@@ -735,6 +740,14 @@ def test_every_limit_and_rule_leads_to_a_chapter():
     assert {one.chapter for one in explorer.TOLD} | fractions <= names
     assert set(explorer.CHAPTERS.values()) <= names
     assert explorer.CHAPTERS.keys() == explorer.MEANT.keys() == RULES.keys()
+
+
+def test_a_rule_is_meant_of_the_loops_of_its_claim():
+    for id, meant in explorer.MEANT.items():
+        given, _ = CLAIMED[id](()).body.parts
+        known = {*map(proposition, (*LOOPS, K > 0)), whole(d)}
+        said = {proposition(one.subs(t_d, d)) for one in meant.atoms(sp.core.relational.Relational)}
+        assert set(conjuncts(given)) - known == said, id
 
 
 def test_kernels_are_small():

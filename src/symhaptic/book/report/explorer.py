@@ -19,7 +19,7 @@ from docutils import nodes
 from symhaptic.book.report.devices import ARMS, DEVICES
 from symhaptic.book.report.tree import Link, container, display, led, paragraph, section, words
 from symhaptic.export.request import built, chosen, target
-from symhaptic.notation import B, K, T, b, d, k, m, t_d
+from symhaptic.notation import B, K, T, b, k, m, t_d
 from symhaptic.paper import STATEMENTS as PAPER
 from symhaptic.paper.reading import read
 from symhaptic.rules import PLAIN as RULES
@@ -168,7 +168,7 @@ def _rule(id: str) -> str:
     (printed,) = (relation for line in RULES[id].latex for relation in read(line))
     if printed.lhs != K:
         raise ValueError(f"{id}: {printed} is no bound of K")
-    limit = sp.jscode(printed.rhs.subs(d, t_d / T))
+    limit = sp.jscode(printed.rhs)
     meant = "true" if MEANT[id] == sp.true else sp.jscode(MEANT[id])
     names = ", ".join(symbol.name for symbol in (m, b, k, T, t_d, K, B))
     arrow = f"({{ {names} }}) =>"
