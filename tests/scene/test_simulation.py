@@ -505,7 +505,6 @@ def test_a_duration_is_rounded_up_to_periods():
     scene = Scene(mass=M, sampling_rate="3 kHz")
     assert len(scene.simulate(1.0, 0.0, duration="1 s").time) == 3001
     assert len(scene.simulate(1.0, 0.0, duration=1e-3 + 1e-6).time) == 5
-    assert len(scene.simulate(1.0, 0.0, duration=1 + 1e-10).time) == 3001  # by round-off
 
 
 def test_ten_thousand_periods_are_quick():

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import shapely
 from matplotlib.figure import Figure
-from oracle import all_inside, certified, coefficients, moduli, radius
+from oracle import certified, coefficients, moduli, radius
 
 from symhaptic import Scene, robust_region, stability_boundary, stable_region
 from symhaptic.numeric.tracing.arcs import Loop
@@ -170,11 +170,12 @@ def test_no_stable_wall_gives_an_empty_region():
     assert region.polygon.is_empty
     assert region.area == 0
     assert region.outline == ()
+    assert region.corners.shape == (0, 2)
     assert not region.touches_left_bound
 
 
 @pytest.mark.parametrize("delay", [0.5, 1.5])
-@pytest.mark.parametrize("damping", [1e-7, 6e-9, 1e-10])
+@pytest.mark.parametrize("damping", [1e-7, 6e-9, 1e-10, 1e-12])
 def test_half_swings_hardly_damped_behind_half_a_period(damping, delay):
     """M(-1) is then a billionth of its terms; the area was twice that of all stable walls."""
     region = stable_region(NYQUIST, damping, delay)
@@ -277,23 +278,6 @@ def test_next_to_half_swings_the_region_is_that_a_little_farther(device, delay, 
     assert stable_region(*device, delay).area == pytest.approx(area, rel=1e-5)
 
 
-def test_next_to_half_swings_a_corner_is_where_certified_roots_leave():
-    """Behind half a period, with a damping of 1e-12: at (-gamma, 9.8634), and not at 9.8664.
-
-    Walls a hundredth of the extent beside it, on both sides of the outline.
-    """
-    gamma, delta, delay = 9.869604401089358, 1e-12, 0.5
-    region = stable_region(gamma, delta, delay)
-    assert np.abs(region.corners - [-gamma, 9.8634]).max(axis=1).min() < 1e-3
-    inside = 0
-    for alpha in -gamma + np.array([1e-4, 1e-2, 0.1]):
-        for beta in np.arange(9.80, 9.89, 0.0031):
-            there = region.polygon.contains(shapely.Point(alpha, beta))
-            inside += there
-            assert there == all_inside(alpha, beta, gamma, delta, delay), (alpha, beta)
-    assert inside > 20
-
-
 def test_axes_without_labels_get_those_of_the_plane_and_others_keep_theirs():
     figure = Figure()
     one, other = figure.subplots(1, 2)
@@ -303,12 +287,6 @@ def test_axes_without_labels_get_those_of_the_plane_and_others_keep_theirs():
         region.plot(axes)
     assert (one.get_xlabel(), one.get_ylabel()) == region.labels
     assert (other.get_xlabel(), other.get_ylabel()) == ("", "mine")
-
-
-def test_where_nothing_is_stable_there_are_no_corners():
-    empty = stable_region(np.pi**2, 0.0, 1)
-    assert empty.area == 0
-    assert empty.corners.shape == (0, 2)
 
 
 @pytest.mark.parametrize("delay", [0.0, 1.0, 2.5])
