@@ -522,6 +522,7 @@ def test_who_gives_too_many_numbers_is_said():
 @pytest.mark.parametrize(
     ("words", "told"),
     [
+        (["--over", "b=2:1"], "--over: 'b=2:1' is no range; give NAME=LOW:HIGH with one of b, T"),
         (["--over", "T=0:0"], "--over: 'T=0:0' has numbers that are not allowed; give a range of"),
         (["--over", "T=-1:0"], "--over: 'T=-1:0' has numbers that are not allowed; give a range"),
         (["--over", "b=-5:-1"], "--over: 'b=-5:-1' has numbers that are not allowed; give a ran"),
