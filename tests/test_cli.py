@@ -134,7 +134,7 @@ def test_junit_names_each_statement_with_verdict_and_seconds(tmp_path):
     assert set(cases) == {"eq1", "eq11"}
     verdicts = {n: c.find("properties/property").get("value") for n, c in cases.items()}
     assert verdicts == {"eq1": "definition", "eq11": committed("eq11")}
-    assert all(float(case.get("time")) >= 0 for case in cases.values())
+    assert all(float(one.get("time")) < 300 for one in (suite, *cases.values()))
     assert suite.get("failures") == "0"
 
 
