@@ -76,13 +76,13 @@ def derive(page):
         example=easy,
         note="the bounds are exact for this loop without delay, including walls on the bounds. The "
         "first bound is stricter for $B>0$ and the second for $B<0$; no filter relaxes the second "
-        "bound. With a delay condition (4) decides",
+        "bound. With a delay, condition (4) decides",
     )
     page.say(
         "The filter removes the virtual damper at high frequencies, where sampling makes it "
-        "active. With $f_v=0.9$ only a nineteenth of $B$ remains in the second bound. This "
+        "active. With $f_v=0.9$ only a nineteenth of $B$ remains in the second bound. This result "
         "concerns passivity. The same filter reduces the stable stiffness of a light device, see "
-        "\\chapter{s10f_filtered_mass}."
+        r"\chapter{s10f_filtered_mass}."
     )
     found = page.lemma("A wall that meets (6) is passive with every filter", without_filter())
     late = {K: S.One, B: S.One / 8, b: Rational(3, 4), T: S.One, f_v: S.Half, d: S.One}

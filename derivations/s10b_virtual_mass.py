@@ -52,7 +52,7 @@ def derive(page):
         "The margin is smallest at the Nyquist frequency",
         MARGIN.right - (b - BOUND.left),
         (1 + cos(theta)) * (B + m_v / T * (3 - 2 * cos(theta))),
-        because=r"the difference is not negative for $B\ge0$ and $m_v\ge0$, and tends to 0 for "
+        because=r"the right side is not negative for $B\ge0$ and $m_v\ge0$, and tends to 0 for "
         r"$\theta\to\pi$",
     )
     found = page.lemma(
@@ -100,7 +100,7 @@ def _free(page):
         z ** (d + 2) * (1 + response * z**-d),
         z ** (d + 2) + mu / 2 * (z + 1),
         name="p_M(z)",
-        because="this is the loop's polynomial divided by $(z-1)^2$, the factor of a motion at "
+        because="$p_M(z)$ is the loop's polynomial divided by $(z-1)^2$, the factor of a motion at "
         "constant speed; a virtual mass does not change this motion",
     )
     found = page.lemma(

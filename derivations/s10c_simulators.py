@@ -96,8 +96,8 @@ def _below_two(page, found):
             (at, not_all(then.at(at), escapes(loop, at)))
             for loop, at in ((EXPLICIT, POINT), (SEMI_IMPLICIT, EDGE))
         ],
-        shows="explicit Euler is unstable at $(1,\\tfrac12)$, semi-implicit Euler at "
-        "$(\\tfrac12,\\tfrac{19}{10})$: spring and damper share one bound",
+        shows=r"explicit Euler is unstable for $KT^2/m=1$, $BT/m=\tfrac12$, and semi-implicit "
+        r"Euler for $KT^2/m=\tfrac12$, $BT/m=\tfrac{19}{10}$: spring and damper share one bound",
     )
 
 

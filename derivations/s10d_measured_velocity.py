@@ -2,7 +2,7 @@ r"""What does a measured velocity change?
 
 Some devices have a tachometer, and a simulator knows the velocity of its mass. The damper of the
 wall then uses this velocity and not a difference of positions. How stiff may the wall be, and does
-the same limit hold for the difference?
+the same limit hold for a difference of positions?
 """
 
 from sympy import Matrix, S, eye

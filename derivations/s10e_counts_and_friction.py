@@ -45,9 +45,11 @@ def derive(page):
         "rounding adds. The same holds for a wall that only pushes, with its own energy "
         "$\\frac12K\\max(x,0)^2$."
     )
-    page.lemma("Within both bounds no motion gains energy from a counted spring", spring_passive())
     page.lemma(
-        "Within both bounds no motion gains energy from a counted wall that only pushes",
+        "Within both bounds no motion gains energy from a spring with an encoder", spring_passive()
+    )
+    page.lemma(
+        "Within both bounds no motion gains energy from a wall with an encoder that only pushes",
         wall_passive(),
         because="$\\max(x+p_k,0)^2\\le(\\max(x,0)+p_k)^2$, and $\\max$ makes no distance larger",
     )
@@ -57,7 +59,7 @@ def derive(page):
         "way down:"
     )
     page.step(
-        "A small swing across the edge of a count leaves this energy",
+        "In a small swing across the edge of a count the loop receives this energy",
         -K * Delta_x * 2 * h + 2 * b * (2 * h) ** 2 / T + 2 * f_c * 2 * h,
         -2 * h * (K * Delta_x - 2 * f_c - 4 * b * h / T),
         because=r"this is negative for $K\Delta_x>2f_c$ and a small $h$; if the motion is "
@@ -74,7 +76,7 @@ def derive(page):
         "square of the amplitude, and the work of friction grows in proportion to the amplitude",
     )
     found = page.lemma(
-        "A counted spring or a counted wall is passive if and only if it meets both bounds",
+        "A spring or a wall with an encoder is passive if and only if it meets both bounds",
         conj(*map(decides, FORCES)),
         boxed=True,
     )
@@ -84,7 +86,7 @@ def derive(page):
         found,
         example=point,
         note="the bounds are exact without delay and virtual damping, and hold on the borders, "
-        "too. Virtual damping from differences of counts, or a delay, requires more",
+        "too. Virtual damping from differences of counts, or a delay, makes the bounds stricter",
     )
     swing = {K: S.One, Delta_x: S.One, T: S.One, b: S.One, f_c: Rational(1, 4), h: Rational(1, 16)}
     page.step(

@@ -129,8 +129,8 @@ def _with_a_spring(page):
         unless=[(wall | {d: late[d]}, still, grown)],
         shows="a device that oscillates once in four periods is stable with a delay of three "
         "periods and unstable with a lag of three periods",
-        note="a lag shifts the phase by less than 90 degrees and cannot replace a delay that "
-        "damps. Model the actuator with its lag",
+        note="a lag shifts the phase by less than 90 degrees and cannot replace a delay that acts "
+        "as damping. Model the actuator with its lag",
     )
 
 

@@ -28,7 +28,7 @@ def derive(page):
         name=r"E_{\text{hold}}",
     )
     page.step(
-        "Each period of delay adds twice as much",
+        "Each period of delay adds twice this energy",
         K * x * v * T - K * (x - v * T) * v * T,
         K * (v * T) ** 2,
         name=r"E_{\text{delay}}",
@@ -66,7 +66,7 @@ def derive(page):
     )
     rule = taken_apart(page.claim(LEAK))[2].of[0]
     found = page.lemma(
-        "Without delay a spring is passive if and only if the ratio is at most one",
+        "Without delay a spring is passive if and only if the ratio $KT/(2b)$ is at most one",
         without_delay(rule),
     )
     late = {K: S.One, b: Rational(3, 4), T: S.One, d: S.One}

@@ -82,7 +82,8 @@ def _implicit(page):
         misprint=False,
         example=step,
         unless=[step],
-        shows="$m=k=T=1$: from $x=1$ at rest, half of the energy is left after one step",
+        shows="for $m=k=T=1$ and a start from $x=1$ at rest, half of the energy is left after one "
+        "step",
         note="the energy never increases, as passivity requires; the method also damps an "
         "oscillation of the simulated mass",
     )
@@ -102,7 +103,8 @@ def _masses(page):
     found = page.lemma(
         "A virtual mass that is stable beside a spring is stable alone",
         fades_alone(),
-        because="the product of the zeros is $m_v/(2m)$ with and without the spring",
+        because="the product of the zeros is $m_v/(2m)$ with and without the spring, and has to be "
+        "less than 1",
     )
     stiff = {m_v: S.One, m: S.One, K: Rational(1, 10), T: S.One}
     page.settle(
@@ -139,7 +141,8 @@ def _numbers(page):
     )
     page.say(
         "According to the record the device has a mass of 0.4 to 0.5 kg, so that 2.4 kg is 4.8 to "
-        "6 times as much. The factor of twelve is the ratio to 0.2 kg, half of the smaller mass."
+        "6 times as much. The factor of twelve in the record is the ratio to 0.2 kg, half of the "
+        "smaller mass."
     )
     page.settle_slip(
         "coupling:ratio",

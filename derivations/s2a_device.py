@@ -13,9 +13,9 @@ def derive(page):
     device = Plant(m_D, b_D, None).characteristic
     arm = Plant(m_H, b_H, k_H).characteristic
     page.say(
-        "A firm grip couples both rigidly. They share the position, and the force between them "
-        "acts on both with opposite signs. This force cancels in the sum of both equations of "
-        "motion, so that masses, dampings and stiffnesses add up."
+        "A firm grip couples device and arm rigidly. Both have the same position, and the force "
+        "between them acts on both with opposite signs. This force cancels in the sum of both "
+        "equations of motion, so that masses, dampings and stiffnesses add up."
     )
     both = page.step(
         "Two bodies with one position have one mass, one damper and one spring",

@@ -36,7 +36,7 @@ def derive(page):
     )
     claim = page.claim("s2c-delays-lump")
     page.lemma(
-        "Delays before the device, behind it and of the computation act as their sum",
+        "Delays before and behind the device and in the computation act as their sum",
         lumped(claim),
         because=r"a force that is delayed by an integer number of periods is $z^{-\ell}$ times the "
         "force, and the response of the device is unique",

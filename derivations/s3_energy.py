@@ -38,7 +38,7 @@ def derive(page):
         "On the unit circle $1/(z-1)$ has this value",
         passivity.on_circle(1 / (z - 1)),
         (exp(-I * theta) - 1) / (2 - 2 * cos(theta)),
-        because="with $z=e^{j\\theta}$ and $\\theta=\\omega T$",
+        because=r"on the unit circle $z=e^{j\theta}$ with $\theta=\omega T$",
         name=r"\left.\frac{1}{z-1}\right|_{z=e^{j\theta}}",
     )
     angle = omega * T

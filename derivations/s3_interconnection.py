@@ -1,7 +1,7 @@
 """Is a connection of passive systems passive and stable?
 
-Passivity is used because it survives when systems are connected. We ask which connections preserve
-it, and which kind of stability follows.
+Designers use passivity because connected passive systems are passive again. We ask for which
+connections this is true, and which kind of stability follows.
 """
 
 from symhaptic.book.lemmas.connections import (
@@ -90,8 +90,8 @@ def _settle(page):
         "With every delay a passive wall stabilises every damped device, if the wall or a spring "
         "has stiffness",
         passive_wall_is_stable(),
-        because="a delay is an integer number of periods and a fraction of one, as in "
-        r"\chapter{s6e_fractional_passive_is_stable}",
+        because="a delay consists of an integer number of periods and a fraction of a period, as "
+        r"in \chapter{s6e_fractional_passive_is_stable}",
     )
     wall = dict.fromkeys((beta, gamma, d), S.Zero) | {alpha: S.One, delta: S.One}
     lags = dict.fromkeys((R_1, R_2), Rational(1, 5)) | dict.fromkeys((X_1, X_2), -Rational(2, 5))
@@ -112,11 +112,11 @@ def _settle(page):
             HELD: fails(drift, stays_on_circle(drift, S.Zero)),
             DAMPED_DEVICE: fails(swing, stays_on_circle(swing, pi / 2)),
         },
-        shows="two lags in a chain are not passive, with a passive wall without stiffness a free "
-        "mass drifts, and without a damper a spring oscillates for ever",
-        note="true for parallel and feedback connections of linear systems, at each frequency; "
-        "stability holds for the paper's loop with a damper, if a spring or the wall has "
-        "stiffness",
+        shows="two lags in a chain are not passive; a free mass drifts at a passive wall without "
+        "stiffness; a mass on a spring without a damper oscillates forever",
+        note="the claim is true for parallel and feedback connections of linear systems, at each "
+        "frequency; stability holds for the paper's loop with a damper, if a spring or the wall "
+        "has stiffness",
     )
 
 

@@ -15,7 +15,7 @@ def derive(page):
         "plus a term that the slope causes:"
     )
     page.step(
-        "A spring of constant slope $K$ gains most",
+        "A spring of constant slope $K$ gains the most energy",
         K * (x + p_k) ** 2 / 2 - K * x**2 / 2,
         K * x * p_k + K * p_k**2 / 2,
         name=r"U(x+p)-U(x)",

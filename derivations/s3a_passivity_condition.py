@@ -126,7 +126,8 @@ def _settle(page, printed):
         "$147/20$",
         note="(5) is equivalent to (4) with $z^{-d}$ for every real $d$. For a fractional delay of "
         "the held force (5) allows walls that are not passive, and excludes some passive walls. At "
-        r"equality no motion gains energy either: with $\ge$ the last condition is not needed",
+        r"equality no motion gains energy either: with $\ge$ in (5) the last condition of the "
+        "verdict is not needed",
     )
 
 

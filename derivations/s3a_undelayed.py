@@ -73,7 +73,7 @@ def derive(page):
         UNDELAYED,
         example=(easy, off),
         unless={OFF_BORDER: (border, sides, broken(And((form, same))))},
-        shows=r"(5) holds at every frequency, (6) says $\tfrac32>\tfrac32$",
+        shows=r"(5) holds at every frequency, but (6) says $\tfrac32>\tfrac32$",
         note="the form of (5) for $d=0$ is right for all values; (6) requires the condition",
     )
     both = taken_apart(page.claim("eq6"))[2]

@@ -136,7 +136,7 @@ def _boundary(page):
             whole(d): (half, not_on_boundary(then, half, half_late(Rational(17, 10)))),
             end: (high, not_on_boundary(then, high, STEPS)),
         },
-        shows=r"for $d=1$, $\omega T=\tfrac23\pi$ (7) gives $K=-4$, $B=2$: it has a negative "
+        shows=r"for $d=1$, $\omega T=\tfrac23\pi$ (7) gives $K=-4$, $B=2$, which is a negative "
         "stiffness",
         note="without delay (7) is the single point $(2b/T,0)$, and the rest of the boundary is "
         "(6); for other $d>0$ (7) bounds the walls of (5); at higher frequencies the curve bounds "

@@ -2,7 +2,7 @@
 
 Solved for the stiffness, the straight lower part of the boundary is the total damping divided by
 the total delay. The total delay includes half a period for the hold. We ask for which damping this
-condition is exact.
+bound of the stiffness is exact.
 """
 
 from symhaptic.book.lemmas.linear_part import LOW, at_corner, decides
@@ -67,7 +67,8 @@ def _condition(page, nine):
             nine,
             example=easy,
             unless={but: (at, not_alike(then, at, motion)) for at, motion, but in cases},
-            shows=r"with a delay of half a period, $K=b/(1.01\,T)$ meets it and delivers energy",
+            shows=r"with a delay of half a period, $K=b/(1.01\,T)$ meets the condition and "
+            "delivers energy",
             note=NOTES[id],
         )
 

@@ -35,11 +35,11 @@ def derive(page):
     left = b - need.subs(theta, angle)
     largest = -left.subs(K, 0) / diff(left, K)
     stiffness = page.step(
-        "At that angle the condition limits the stiffness alone",
+        r"At $\theta=\pi/(2(d+1))$ the condition limits only the stiffness",
         largest,
         2 * b / T * tan(pi / (4 * (d + 1))),
         name=K,
-        because="the condition no longer contains the damping",
+        because="at this angle the condition does not contain the virtual damping",
         boxed=True,
         paper="11",
     )
@@ -112,10 +112,10 @@ def _stiffest(page, *derived):
     found = page.lemma(
         "The wall of (11) is passive and has the maximum stiffness",
         stiffest_wall(*map(assume, given[-2:])),
-        because=r"by \chapter{s3b_rise} the stiffness of the envelope is smaller on either side "
-        r"of this angle. So the margin of this wall, divided by $\cos(d+1)\theta$, changes from "
-        "plus to minus there, and the margin itself is not negative. The same chapter shows this "
-        "for larger angles. By the previous step no passive wall is stiffer",
+        because=r"by \chapter{s3b_rise} the stiffness of the envelope is smaller on either side of "
+        r"this angle. So the margin of this wall, divided by $\cos(d+1)\theta$, changes from plus "
+        "to minus at this angle, and the margin itself is not negative. The same chapter shows "
+        "this for larger angles. By the previous step no passive wall is stiffer",
         boxed=True,
     )
     at_half = {d: S.Half, T: S.One, b: S.One}

@@ -1,8 +1,8 @@
 r"""What do the plots of the passive walls show?
 
 Fig. 4 of the paper draws the boundary for seven delays, two of them fractions of a period. The
-shape of this boundary is derived in \chapter{s3b_rise}. For which delays are these the passive
-walls?
+shape of this boundary is derived in \chapter{s3b_rise}. For which delays do these curves bound the
+passive walls?
 """
 
 from symhaptic.book.figures.passivity import passive_regions

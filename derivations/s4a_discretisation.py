@@ -99,9 +99,8 @@ def derive(page):
         corrected=(WHOLE,),
         example=shown_at(corrected, SWINGING, *apart),
         unless=[fails(claim, swing)],
-        shows=r"differs at $T=1$, $m=2$, $b=4$, $k=\tfrac32$ ($c_1=1$), $z=2$: 0.1882 as "
-        r"published, "
-        "0.1366 of the device",
+        shows=r"at $T=1$, $m=2$, $b=4$, $k=\tfrac32$ ($c_1=1$), $z=2$ the published form gives "
+        "0.1882, but the device has 0.1366",
         note="the corrected formula is $0/0$ for $k=0$ and for $b^2=4km$",
     )
     _delay(page)

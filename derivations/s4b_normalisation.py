@@ -18,14 +18,14 @@ def derive(page):
         "units of $m/T^2$. Newton's law and the wall then become:"
     )
     motion = page.step(
-        "The device has two numbers, $\\gamma$ and $\\delta$",
+        r"Two numbers, $\gamma$ and $\delta$, describe the device",
         Plant().characteristic.subs(s, s / T) * T**2 / m,
         s**2 + b * T / m * s + k * T**2 / m,
         name=r"\tfrac{T^2}{m}\bigl(m\tfrac{s^2}{T^2}+b\tfrac sT+k\bigr)",
     )
     page.define("The wall, (1)", Function("H")(z), wall.transfer())
     force = page.step(
-        "The wall has two numbers, $\\alpha$ and $\\beta$",
+        r"Two numbers, $\alpha$ and $\beta$, describe the wall",
         wall.transfer() * T**2 / m,
         K * T**2 / m + B * T / m * (1 - 1 / z),
         name=r"\tfrac{T^2}{m}H",
@@ -107,7 +107,7 @@ def _equivalent(page, form):
             fails(claim, UNHELD, holds=apart[:1], but=apart[1]),
             fails(claim, CRITICAL, holds=apart[1:], but=apart[0]),
         ],
-        shows="$0/0$ for a device without an arm, which (22) and (23) admit",
+        shows="(14) is $0/0$ for a device without an arm, which (22) and (23) admit",
     )
 
 

@@ -30,8 +30,8 @@ def derive(page):
         Integer(powers.rank()),
         Integer(2),
         name=r"\text{rank}",
-        because="the metre does not occur, because force and length are scaled together in a "
-        "linear loop",
+        because="the metre does not occur, since a linear loop contains force and length only as a "
+        "ratio",
     )
     left = page.step(
         "Five dimensionless numbers are independent",
@@ -61,15 +61,15 @@ def _settle(page):
     """A loop of seven parameters answers as that of five, in units of its mass and period."""
     then = taken_apart(page.claim("s4b-seven-to-five"))[2]
     device = page.lemma(
-        "In units of its mass and of the period two numbers describe a device", in_own_units()
+        "In units of its mass and of the period, two numbers describe a device", in_own_units()
     )
     wall = page.lemma(
-        "In units of the mass and of the period two numbers describe a wall",
+        "In units of the mass and of the period, two numbers describe a wall",
         scaled_wall(then.of[1]),
     )
     page.settle(
         "s4b-seven-to-five",
         conj(device, wall),
         example=SEVEN,
-        note="no choice of units leaves fewer than five",
+        note="no choice of units leaves fewer than five parameters",
     )

@@ -71,7 +71,12 @@ def derive(page):
         Eq(p, bottom),
         r"$p(z)\equiv0$ for a device without an arm: every $z$ would be a pole",
     )
-    _settle(page, "eq16", Eq(closed, loop.closed(split=c_1)), "$0/0$ for a device without an arm")
+    _settle(
+        page,
+        "eq16",
+        Eq(closed, loop.closed(split=c_1)),
+        "(16) is $0/0$ for a device without an arm",
+    )
     _scenes(page)
 
 

@@ -74,7 +74,7 @@ def _bounds(page):
         *STATEMENTS["eq20"].printed,
         example=PLAIN,
         unless={springy: (limp, not_all(there, fact(negated(there.of[0]))))},
-        shows=r"an arm without a spring, $k_H=0$, for which (20) says $0<0$",
+        shows="for an arm without a spring, $k_H=0$, (20) says $0<0$",
         note=r"the published formula assumes positive masses and dampers, and a spring; with $\le$ "
         "the formula holds for every arm, and (22) admits $k_H=0$",
     )

@@ -90,7 +90,7 @@ def limits(page, spring, damper):
         total,
         Rational("15.225"),
         name="14.6+0.625",
-        because="that is 15.225",
+        because="the sum is 15.225",
         paper="22",
     )
     page.settle_external(

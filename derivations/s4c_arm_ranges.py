@@ -1,4 +1,4 @@
-"""How much wider are the ranges (23) than the arms of the literature?
+"""How much wider are the ranges (23) than those of the arms in the literature?
 
 According to the paper the ranges are wider by roughly 30 %, and according to the caption of Fig. 6
 by 30 %. The paper also assumes a period of at most 1 ms. We check both numbers, and ask for which
@@ -26,11 +26,11 @@ def derive(page):
         (delta, before[1], "0.015225", "0.0197925"),
     ):
         more = page.step(
-            f"30 % more make ${NAMES[name]}$ this",
+            f"An extension by 30 % gives this limit of ${NAMES[name]}$",
             value * 13 / 10,
             Rational(text),
             name=rf"1.3\cdot{plain}",
-            because=f"that is {text}",
+            because=f"the product is {text}",
         )
         wide.append(ceiling(more / LONGEST) * LONGEST)
     page.say("Rounded up to thousandths, these limits are those of (23): 0.001 and 0.020.")
@@ -89,7 +89,8 @@ def _extension(page):
         unless=[(at, denial)],
         shows=r"at $T=1$ ms the range of $\gamma$ grows by the factor $1.408$",
         note=r"the ranges are extended by 41\,\% and 31\,\%, which is safe in both cases; the "
-        r"statement is true for $\delta$. For shorter periods the extension is even larger",
+        r"statement is true for $\delta$. For shorter periods the ranges have an even larger "
+        "margin",
     )
 
 
