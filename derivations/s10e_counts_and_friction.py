@@ -1,9 +1,9 @@
 r"""How stiff may a spring be if an encoder reads the position?
 
 An encoder reports the position in counts of size $\Delta_x$. The force of the spring then has an
-error of up to half a count, and a user can extract energy from it. A damper dissipates little
-energy in a slow motion, but Coulomb friction $f_c$ does. How much friction does a given stiffness
-require?
+error of up to half a count, and a user can extract energy from it. In a slow motion a damper
+dissipates little energy, and Coulomb friction $f_c$ dissipates more. How much friction does a given
+stiffness require?
 """
 
 from sympy import Abs, Rational, S
@@ -46,17 +46,20 @@ def derive(page):
         "$\\frac12K\\max(x,0)^2$."
     )
     page.lemma(
-        "Within both bounds no motion gains energy from a spring with an encoder", spring_passive()
+        r"For $K\le2b/T$ and $K\le2f_c/\Delta_x$ no motion gains energy from a spring with an "
+        "encoder",
+        spring_passive(),
     )
     page.lemma(
-        "Within both bounds no motion gains energy from a wall with an encoder that only pushes",
+        r"For $K\le2b/T$ and $K\le2f_c/\Delta_x$ no motion gains energy from a wall that has an "
+        "encoder and only pushes",
         wall_passive(),
         because="$\\max(x+p_k,0)^2\\le(\\max(x,0)+p_k)^2$, and $\\max$ makes no distance larger",
     )
     page.say(
-        "Both bounds are sharp. Let the position oscillate by $2h$ across the edge of a count. The "
-        "user then works against the lower force on the way up, and the higher force pushes on the "
-        "way down:"
+        r"The bounds $2b/T$ and $2f_c/\Delta_x$ are sharp. Let the position oscillate by $2h$ "
+        "across the edge of a count. The user then works against the lower force on the way up, "
+        "and the higher force pushes on the way down:"
     )
     page.step(
         "In a small swing across the edge of a count the loop receives this energy",
@@ -76,7 +79,8 @@ def derive(page):
         "square of the amplitude, and the work of friction grows in proportion to the amplitude",
     )
     found = page.lemma(
-        "A spring or a wall with an encoder is passive if and only if it meets both bounds",
+        r"A spring or a wall with an encoder is passive if and only if $K\le2b/T$ and "
+        r"$K\le2f_c/\Delta_x$",
         conj(*map(decides, FORCES)),
         boxed=True,
     )

@@ -38,7 +38,7 @@ def derive(page):
         "On the unit circle $1/(z-1)$ has this value",
         passivity.on_circle(1 / (z - 1)),
         (exp(-I * theta) - 1) / (2 - 2 * cos(theta)),
-        because=r"on the unit circle $z=e^{j\theta}$ with $\theta=\omega T$",
+        because=r"here $z=e^{j\theta}$ has the angle $\theta=\omega T$",
         name=r"\left.\frac{1}{z-1}\right|_{z=e^{j\theta}}",
     )
     angle = omega * T
@@ -59,7 +59,7 @@ def derive(page):
         "second term to the sum. For the spring alone, $F_k=Kx_k$, this term is the stored energy:"
     )
     page.step(
-        "The work of one step against a spring contains the change of its stored energy",
+        "The work of a step against a spring contains the change of the stored energy",
         x * p_k,
         ((x + p_k) ** 2 - x**2 - p_k**2) / 2,
         because="with $x_{k+1}=x_k+p_k$ and $x_0=0$ the sum of the first two terms over all "
@@ -117,8 +117,8 @@ def _settle(page, condition):
         example=(soft, holds(given[-1], soft, [S.Half])),
         unless={PUSHES: (pulled, holds(given[-1], pulled, *pulls), gives_energy())},
         note="the verdict covers walls with three coefficients, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$ with "
-        "an integer $d$. (1) is such a wall; other $H$ are not decided. At equality no motion "
-        "gains energy either, so that (4) is sufficient, and necessary except for equality",
+        "an integer $d$. The wall (1) is one of them; other $H$ are not decided. At equality no "
+        "motion gains energy either, so that (4) is sufficient, and necessary except for equality",
         shows="a wall with three coefficients, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$, may have $H(1)<0$: "
         "$H=-(1+1/z+1/z^2)$ satisfies (4) for every damper, and delivers energy",
     )

@@ -27,7 +27,7 @@ def derive(page):
     page.lemma(r"$\sin N\psi$ exceeds $N\sin\psi\cos((N+1)\psi)$", chord_after())
     rising = bend().conclusion.right
     page.step(
-        "The last two differences are factors of this slope",
+        "The differences of the last two steps are factors of this slope",
         diff(rising, psi),
         4 * chord_before().conclusion.right * chord_after().conclusion.right / (N * sin(psi) ** 2),
         name=rf"\frac{{\partial}}{{\partial\psi}}\Bigl({latex(rising)}\Bigr)",
@@ -174,7 +174,7 @@ def _extent(page):
         margin.subs(psi, pi / N),
         1 - w,
         name=r"1-b_{\min}/b",
-        because=r"the margin is not negative, so that $w\le1$",
+        because=r"a passive wall has no negative margin, so that $w\le1$",
     )
     page.limit(
         r"For $\psi\to0$ the margin has a linear limit",
@@ -183,7 +183,7 @@ def _extent(page):
         S.Zero,
         1 + w - N * u,
         name=r"\bigl(1-b_{\min}/b\bigr)",
-        because=r"the margin is not negative, so that $w\ge Nu-1\ge-1$",
+        because=r"a passive wall has no negative margin, so that $w\ge Nu-1\ge-1$",
     )
     page.step(
         r"If $N\psi$ and $N\varphi$ differ by $2\pi$, the margins differ only in a cotangent",
