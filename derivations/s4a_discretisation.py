@@ -76,7 +76,7 @@ def derive(page):
     exact = T**2 / m * device.transfer
     (form,) = read(CORRECTED)
     page.step(
-        "The discrete equivalent is the published one with a factor $m/T$",
+        "The discrete equivalent is (12) with an additional factor $m/T$",
         exact,
         form,
         name=function("P")(z),
@@ -118,7 +118,7 @@ def _delay(page):
     page.lemma(
         "A force that is delayed by an integer number of periods is $z^{-d}$ times the force",
         late_answer(),
-        because="the response of every device is shifted by $d$ samples, whatever its spring and "
+        because="the response of every device is shifted by $d$ samples, with any spring and any "
         "damper",
     )
     claim, corrected = (CLAIMED["s4a-delay-equivalent"](read(p)) for p in DELAYS)
