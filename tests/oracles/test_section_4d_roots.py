@@ -175,7 +175,11 @@ def test_roots_leave_and_come_back_at_the_delays_that_are_said():
             for d, count in enumerate(counts):
                 assert count == counts[0] + sum(step for at, step in changes if 0 < at <= d)
 
-    only(agrees, shown(MARGIN, "A pair of roots leaves at the delays"), by=0.3)
+    only(
+        agrees,
+        shown(MARGIN, "A pair of roots leaves the unit disc at each delay of a sequence"),
+        by=0.3,
+    )
     assert any(max(counts) > 2 for counts in found.values())
 
 
@@ -214,6 +218,6 @@ def test_how_fast_a_root_leaves():
 
     only(
         agrees,
-        shown(MARGIN, "With the delay a root on the circle moves outwards where $w$ is positive"),
+        shown(MARGIN, "With growing delay a root on the circle moves outwards if $w$ is positive"),
         by=0.15,
     )
