@@ -68,7 +68,7 @@ def test_roots_at_one_and_minus_one_and_the_free_mass():
         shown("s4d_explicit_boundary", f"A root at {t}")
         for t in (
             r"1 means $\alpha=-\gamma$",
-            "$-1$ means another line, here for even delays",
+            "$-1$ means that the wall lies on a second line, here for even delays",
         )
     )
     only(agrees, *both)

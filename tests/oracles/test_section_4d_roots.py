@@ -65,7 +65,8 @@ def test_sizes_and_heights_on_the_circle():
             assert values[:3] == pytest.approx([abs(f) ** 2 for f in found], abs=1e-14)
             assert values[3:] == pytest.approx([f.imag for f in found], abs=1e-14)
 
-    heights = [shown(COUNTED, f"Imaginary part of ${name}$") for name in ("A/z", "N", "W")]
+    title = r"The imaginary part of $%s$ is a multiple of $\sin\theta$"
+    heights = [shown(COUNTED, title % name) for name in ("A/z", "N", "W")]
     only(agrees, *sizes(), *heights)
 
 
