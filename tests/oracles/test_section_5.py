@@ -215,4 +215,10 @@ def test_how_far_a_weak_wall_pulls_the_roots_out():
             at = {"alpha": 0.8, "beta": -0.3, "d": d, "theta": swing, "n_1": n1}
             assert abs((abs(root) - 1) / weak - value(pull, **at)) < 1e-12
 
-    only(agrees, shown("s5c_robust_figure", "The distance by which the wall moves a root outwards"))
+    only(
+        agrees,
+        shown(
+            "s5c_robust_figure",
+            "The wall moves a root outwards by a multiple of the required damping",
+        ),
+    )
