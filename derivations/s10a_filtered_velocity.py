@@ -1,8 +1,8 @@
 r"""Which walls are passive if the velocity is filtered?
 
 Most controllers filter the difference of two samples by an exponential average,
-$v_k=f_v\,v_{k-1}+(1-f_v)(x_k-x_{k-1})/T$ with a pole $0\le f_v<1$. How much damping must the device
-have, and does a passive wall stay passive with the filter?
+$v_k=f_v\,v_{k-1}+(1-f_v)(x_k-x_{k-1})/T$ with a pole $0\le f_v<1$. We ask how much damping the
+device must have, and whether a passive wall stays passive with the filter.
 """
 
 from sympy import Eq, I, Rational, S, cos, exp, pi
@@ -25,12 +25,12 @@ FILTERED, PLAIN = "rules:average-damping", "rules:plain-damping"
 
 def derive(page):
     wall = page.define(
-        "The damper takes the average of the differences",
+        "The damper acts on the average of the differences",
         r"H(z)",
         K + B / T * in_z(DIFFERENCE.times(exponential_average(f_v))),
     )
     page.step(
-        "The filter takes the place of the sample before",
+        "In the filtered wall the pole $f_v$ replaces the pole at 0",
         wall,
         K + B * (1 - f_v) * (z - 1) / (T * (z - f_v)),
         name="H(z)",
@@ -43,11 +43,12 @@ def derive(page):
         -T * (lag + lag.subs(I, -I)) / 2,
         b - MARGIN.right,
         name=r"b_{\min}(\theta)",
-        because="by the balance of energy, $-T\\,\\Re\\{H/(z-1)\\}$ at $z=e^{j\\theta}$",
+        because=r"by the balance of energy the required damping is $-T\,\Re\{H/(z-1)\}$ at "
+        r"$z=e^{j\theta}$",
     )
     page.lemma(
-        "A filtered wall is passive if and only if it does not pull and the damper burns enough at "
-        "each angle",
+        "A filtered wall is passive if and only if it does not pull and the damper dissipates "
+        "enough at each angle",
         by_angle(),
         because="the impulse response of the filter decays, so that the energy of a motion is an "
         "integral over its spectrum, as for a wall without a filter",
@@ -55,7 +56,8 @@ def derive(page):
     slow, fast = b - SLOW.left, b - FAST.left
     weight = (1 - f_v) ** 2 * (1 + cos(theta)) / (2 * (1 - 2 * f_v * cos(theta) + f_v**2))
     page.step(
-        "The margin is a mean of its values at slow motions and at Nyquist's frequency",
+        "The margin is a weighted mean of its values at low frequencies and at the Nyquist "
+        "frequency",
         MARGIN.right,
         weight * slow + (1 - weight) * fast,
         because="the weights are not negative and their sum is 1",
@@ -63,8 +65,8 @@ def derive(page):
     found = page.lemma(
         "A filtered wall that does not pull is passive if and only if it meets both bounds",
         decides(),
-        because="a mean of two numbers that are not negative is not negative; and the margin comes "
-        "arbitrarily close to both",
+        because="a mean of two numbers that are not negative is not negative, and the margin comes "
+        "arbitrarily close to both numbers",
         boxed=True,
     )
     easy = {K: S.One, B: S.One, b: S.One, T: S.One, f_v: S.Half}
@@ -72,17 +74,17 @@ def derive(page):
         FILTERED,
         found,
         example=easy,
-        note="exact for this loop without delay, with the walls on both borders. The first bound "
-        "is stricter for $B>0$ and the second for $B<0$; no filter relaxes the second. With a "
-        "delay (4) decides",
+        note="both bounds are exact for this loop without delay, and the walls on both borders are "
+        "passive. The first bound is stricter for $B>0$ and the second for $B<0$; no filter "
+        "relaxes the second. With a delay (4) decides",
     )
     page.say(
         "The filter removes the virtual damper at high frequencies, where sampling makes it "
-        "active. With $f_v=0.9$ only a nineteenth of $B$ remains in the second bound. This "
-        "concerns passivity. The same filter reduces the stable stiffness of a light device, see "
-        "\\chapter{s10f_filtered_mass}."
+        "active. With $f_v=0.9$ only a nineteenth of $B$ remains in the first bound. So with $B>0$ "
+        "more walls are passive with a filter. But the same filter reduces the stable stiffness of "
+        r"a light device (\chapter{s10f_filtered_mass})."
     )
-    found = page.lemma("A wall that meets (6) is passive with every filter", without_filter())
+    found = page.lemma("A wall that satisfies (6) is passive with every filter", without_filter())
     late = {K: S.One, B: S.One / 8, b: Rational(3, 4), T: S.One, f_v: S.Half, d: S.One}
     page.settle(
         PLAIN,
@@ -91,5 +93,6 @@ def derive(page):
         unless={Eq(d, 0): (late, gives_energy(late, pi / 3))},
         shows="$K=1$, $B=\\tfrac18$, $b=\\tfrac34$, $T=1$: with a delay of one period the wall "
         "delivers energy in slow motions",
-        note="safe with every filter, exact without one; no delay is allowed for",
+        note="the bound is safe with every filter and exact without a filter; it does not hold "
+        "with a delay",
     )

@@ -1,8 +1,8 @@
-r"""How large may a virtual mass be?
+"""How large may a virtual mass be?
 
-A virtual mass is a force $m_v(x_k-2x_{k-1}+x_{k-2})/T^2$, proportional to the acceleration that is
-computed from three samples. Which virtual masses are passive, alone or together with a spring and a
-damper, and which are stable?
+A virtual mass is a force $m_v(x_k-2x_{k-1}+x_{k-2})/T^2$, which is proportional to the acceleration
+of three samples. We ask which virtual masses are passive, alone or together with a spring and a
+damper, and which are stable.
 """
 
 from sympy import Eq, I, Rational, S, cos, exp
@@ -30,7 +30,7 @@ STILL = {K: S.Zero, B: S.Zero, m_v: S.One / 4, b: S.Half, T: S.One}
 def derive(page):
     difference = in_z(DIFFERENCE)
     wall = page.define(
-        "Spring, damper and virtual mass",
+        "The wall consists of a spring, a damper and a virtual mass",
         r"H(z)",
         K + B / T * difference + m_v / T**2 * difference**2,
     )
@@ -40,18 +40,20 @@ def derive(page):
         -T * (lag + lag.subs(I, -I)) / 2,
         b - MARGIN.right,
         name=r"b_{\min}(\theta)",
-        because="by the balance of energy, $-T\\,\\Re\\{H/(z-1)\\}$ at $z=e^{j\\theta}$",
+        because=r"by the balance of energy the required damping is $-T\,\Re\{H/(z-1)\}$ at "
+        r"$z=e^{j\theta}$",
     )
     page.lemma(
         "A wall with a virtual mass is passive if and only if it does not pull and the damper "
-        "burns enough at each angle",
+        "dissipates enough at each angle",
         by_angle(),
     )
     page.step(
-        "The margin is least at Nyquist's frequency",
+        "The margin is smallest at the Nyquist frequency",
         MARGIN.right - (b - BOUND.left),
         (1 + cos(theta)) * (B + m_v / T * (3 - 2 * cos(theta))),
-        because=r"it is not negative for $B\ge0$ and $m_v\ge0$, and tends to 0 for $\theta\to\pi$",
+        because=r"the difference from the margin at this frequency is not negative for $B\ge0$ and "
+        r"$m_v\ge0$, and tends to 0 for $\theta\to\pi$",
     )
     found = page.lemma(
         "A wall with a virtual mass is passive if and only if the damping of the device outweighs "
@@ -60,7 +62,10 @@ def derive(page):
         boxed=True,
     )
     page.settle(
-        BESIDE, found, example=STILL, note="exact without delay, with the walls on the border"
+        BESIDE,
+        found,
+        example=STILL,
+        note="the bound is exact without delay, and the walls on the border are passive",
     )
     _alone(page)
     _free(page)
@@ -80,7 +85,8 @@ def _alone(page):
         unless={none[0]: (stiff, gives_energy(stiff)), none[1]: (damped, gives_energy(damped))},
         shows="$b=\\tfrac12$, $T=1$, $m_v=\\tfrac14$: the virtual mass requires all of the "
         "damping, so that none remains for a spring",
-        note="exact for a virtual mass alone; a spring and a damper require additional damping",
+        note="the bound is exact for a virtual mass alone; a spring and a damper require "
+        "additional damping",
     )
 
 
@@ -90,7 +96,7 @@ def _free(page):
     mu = m_v / m
     response = mass.numerator / mass.denominator * mu * (1 - 1 / z) ** 2
     page.step(
-        "The drift of a free mass cancels against the virtual mass",
+        "The polynomial without the factor of the drift has degree $d+2$",
         z ** (d + 2) * (1 + response * z**-d),
         z ** (d + 2) + mu / 2 * (z + 1),
         name="p_M(z)",
@@ -105,5 +111,5 @@ def _free(page):
         example=slow | {d: S.Zero},
         unless={Eq(d, 0): (slow, swings_up(slow))},
         shows="$m_v=\\tfrac32m$ is unstable with a delay of one period",
-        note="exact for a free mass without delay",
+        note="the bound is exact for a free mass without delay",
     )

@@ -1,8 +1,8 @@
-r"""How stiff may a spring be in a simulator?
+"""How stiff may a spring be in a simulator?
 
 A simulator integrates Newton's law by Euler's method, and computes the force from position and
-velocity of the simulated mass. The stiffness limits in simulation code apply to this loop. Are they
-exact for it, and are they valid for a real device?
+velocity of the simulated mass. The stiffness limits in simulation code apply to this loop. We ask
+whether they are exact for this loop, and whether they are valid for a real device.
 """
 
 from sympy import Matrix
@@ -30,10 +30,10 @@ def derive(page):
         theorem = page.lemma(
             f"{name} is stable just within these bounds",
             found[id],
-            because="they are Jury's inequalities for two zeros",
+            because="the bounds are Jury's inequalities for a polynomial with two zeros",
             boxed=True,
         )
-        page.settle(id, theorem, example=POINT, note="exact for this simulator")
+        page.settle(id, theorem, example=POINT, note="the bounds are exact for this simulator")
     page.say(
         "The well-known limits $K<4m/T^2$ and $B<2m/T$ are the two end points of the first bound. "
         "At $B=0$ the oscillation of semi-implicit Euler neither grows nor decays. Each unit of "
@@ -58,13 +58,13 @@ def _steps(page):
         "explicit Euler by the old one."
     )
     page.step(
-        "The loop of semi-implicit Euler has this polynomial",
+        "Semi-implicit Euler gives the loop a quadratic polynomial",
         (z * eye(2) - moves * new_speed).det(),
         z**2 + (alpha + beta - 2) * z + 1 - beta,
         name=r"\det(z-A_{\text{semi}})",
     )
     page.step(
-        "The loop of explicit Euler has this polynomial",
+        "Explicit Euler gives the loop another quadratic polynomial",
         (z * eye(2) - (eye(2) + rate - push * wall)).det(),
         z**2 + (beta - 2) * z + 1 - beta + alpha,
         name=r"\det(z-A_{\text{explicit}})",
@@ -75,9 +75,12 @@ def _below_two(page, found):
     """Two checks that are made one by one."""
     symbols, given, then = taken_apart(page.claim(BOTH))
     exact = [found[id] for id in (SEMI, PLAIN)]
-    page.lemma("Explicit Euler lets $KT^2/m=1$, $BT/m=\\frac12$ grow", escapes(EXPLICIT, POINT))
     page.lemma(
-        "Semi-implicit Euler lets $KT^2/m=\\frac12$, $BT/m=\\frac{19}{10}$ grow",
+        r"The wall $KT^2/m=1$, $BT/m=\frac12$ is unstable with explicit Euler",
+        escapes(EXPLICIT, POINT),
+    )
+    page.lemma(
+        r"The wall $KT^2/m=\frac12$, $BT/m=\frac{19}{10}$ is unstable with semi-implicit Euler",
         escapes(SEMI_IMPLICIT, EDGE),
     )
     page.settle(
@@ -105,7 +108,7 @@ def _one_mass(page, exact):
     here = SI.and_(*taken_apart(page.claim(ONE))[1], little)
     bounds = exact.conclusion.of[0]
     theorem = page.lemma(
-        "With little damping a quarter of $4m/T^2$ is stable in a simulator",
+        "With little damping a stiffness of a quarter of $4m/T^2$ is stable in a simulator",
         here.closed(mp(exact, here.show(bounds))),
         because="with a damping of up to three quarters of $2m/T$ at least a quarter of the bound "
         "remains",
@@ -116,24 +119,26 @@ def _one_mass(page, exact):
         example=POINT | {K: S.Half},
         unless={little: (EDGE, escapes(SEMI_IMPLICIT, EDGE))},
         shows="$m=T=1$: $K=\\tfrac12$, $B=\\tfrac{19}{10}$ grows",
-        note="for semi-implicit Euler; for a device in place of a simulator no multiple of $m/T^2$ "
-        r"is a limit (\chapter{s8c_four_masses})",
+        note="this holds for semi-implicit Euler. For a real device no multiple of $m/T^2$ is a "
+        r"limit (\chapter{s8c_four_masses})",
     )
 
 
 def _held(page):
     """The same bound for a device."""
     page.say(
-        "A device differs from a simulator in two ways: its force is held while it moves, and its "
-        "velocity is the difference of two samples. Each of the two delays the wall by half a "
-        "period:"
+        "A real device differs from a simulator in two ways: the force is held while the device "
+        "moves, and the velocity is the difference of two samples. Each of these effects delays "
+        "the wall by half a period:"
     )
     page.step(
-        "The simulator's bound is this many times that of a free mass without delay",
+        "The simulator's bound is more than twice that of a free mass without delay",
         (4 * m / T**2 - 2 * B / T) / of_two_samples(),
         1 + 2 * m / (B * T),
         because="the ratio exceeds 2 for $BT<2m$, and it has no bound as the damping tends to 0",
     )
     settle_by_two_samples(
-        page, HELD, "exact for semi-implicit Euler, and at least twice what a device bears"
+        page,
+        HELD,
+        "the bound is exact for semi-implicit Euler, and at least twice the limit of a real device",
     )

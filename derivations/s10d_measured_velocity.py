@@ -1,8 +1,8 @@
-r"""What does a measured velocity change?
+"""What does a measured velocity change?
 
 Some devices have a tachometer, and a simulator knows the velocity of its mass. The damper of the
-wall then uses this velocity and not a difference of positions. How stiff may the wall be, and does
-the same limit hold for the difference?
+wall then uses this velocity and not a difference of positions. We ask how stiff the wall may be,
+and whether the same limit holds for the difference.
 """
 
 from sympy import Matrix, S, eye
@@ -28,7 +28,7 @@ def derive(page):
     show_motion(page, mass, (phi, held), "xv", "obeys Newton's law")
     one, moved = phi.subs(t, 1), held.subs(t, 1)
     page.step(
-        "With a measured velocity the loop has this polynomial",
+        "With a measured velocity the polynomial of the loop is quadratic",
         (z * eye(2) - one + moved * Matrix([[alpha, beta]])).det(),
         (z - 1) ** 2 + (alpha / 2 + beta) * (z - 1) + alpha,
         name=r"\det(z-A)",
@@ -36,14 +36,15 @@ def derive(page):
     found = page.lemma(
         "With a measured velocity a wall of a free mass is stable just within these bounds",
         decided_by(MEASURED, *STATEMENTS[KNOWN].printed),
-        because="they are Jury's inequalities for two zeros",
+        because="the bounds are Jury's inequalities for a polynomial with two zeros",
         boxed=True,
     )
     page.settle(
         KNOWN,
         found,
         example=dict.fromkeys((K, B, T, m), S.One),
-        note="exact for a free mass whose force is held for a period and comes without delay",
+        note="the bounds are exact for a free mass whose force is held for a period and has no "
+        "delay",
     )
     page.say(
         "The stiffness limit rises with the damping up to the largest damping, $B=2m/T$. At this "
@@ -51,13 +52,14 @@ def derive(page):
         "samples the limit falls to zero instead:"
     )
     page.step(
-        "The difference from the bound for a difference of two samples",
+        "A difference of two samples lowers the limit of the stiffness",
         2 * B / T - of_two_samples(),
         4 * B**2 / (2 * m + B * T),
-        because="for little damping the difference is small; at $BT=2m$ it is the whole stiffness",
+        because="for little damping the reduction is small; at $BT=2m$ it is the whole stiffness",
     )
     settle_by_two_samples(
         page,
         TAKEN,
-        "exact for a measured velocity; for a difference it is the tangent at the origin",
+        "the bound is exact for a measured velocity; for a difference of two samples it is the "
+        "tangent at the origin",
     )

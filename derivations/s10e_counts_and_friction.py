@@ -1,9 +1,9 @@
-r"""How stiff may a spring be whose position is counted?
+r"""How stiff may a spring be if the position is measured in counts?
 
 An encoder reports the position in counts of size $\Delta_x$. The force of the spring then has an
 error of up to half a count, and a user can extract energy from it. A damper dissipates little
-energy in a slow motion, but Coulomb friction $f_c$ does. How much friction does a given stiffness
-require?
+energy in a slow motion, but Coulomb friction $f_c$ does. We ask how much friction a given stiffness
+requires.
 """
 
 from sympy import Abs, Rational, S
@@ -25,11 +25,13 @@ RULE = "rules:counts-and-friction"
 def derive(page):
     page.say(
         "In a period the device moves from $x$ by $p_k$, against the held force $Ky$ of the count "
-        "$y$. The damper dissipates at least $bp_k^2/T$ and friction at least $f_c|p_k|$, whatever "
-        "the motion within the period. The remaining energy, apart from that of the spring, is"
+        "$y$. The damper dissipates at least $bp_k^2/T$ and friction at least $f_c|p_k|$, for "
+        "every motion within the period. We compute the remaining energy without that of the "
+        "spring:"
     )
     page.step(
-        "Sampling gives $\\frac12Kp_k^2$ in a period, and counting up to $\\frac12K\\Delta_x|p_k|$",
+        r"Sampling adds the energy $\frac12Kp_k^2$ in a period, and counting adds up to "
+        r"$\frac12K\Delta_x|p_k|$",
         K * y * p_k + b * p_k**2 / T + f_c * Abs(p_k) - K * (x + p_k) ** 2 / 2 + K * x**2 / 2,
         (b / T - K / 2) * p_k**2
         + (f_c - K * Delta_x / 2) * Abs(p_k)
@@ -43,11 +45,14 @@ def derive(page):
         "rounding adds. The same holds for a wall that only pushes, with its own energy "
         "$\\frac12K\\max(x,0)^2$."
     )
-    page.lemma("Within both bounds no motion gains energy from a counted spring", spring_passive())
     page.lemma(
-        "Within both bounds no motion gains energy from a counted wall that only pushes",
+        "Within both bounds no motion gains energy from a spring with a counted position",
+        spring_passive(),
+    )
+    page.lemma(
+        "Within both bounds no motion gains energy from a wall that only pushes",
         wall_passive(),
-        because="$\\max(x+p_k,0)^2\\le(\\max(x,0)+p_k)^2$, and $\\max$ makes no distance larger",
+        because=r"$\max(x+p_k,0)^2\le(\max(x,0)+p_k)^2$, and $\max$ does not increase a distance",
     )
     page.say(
         "Both bounds are sharp. Let the position oscillate by $2h$ across the edge of a count. The "
@@ -55,11 +60,11 @@ def derive(page):
         "way down:"
     )
     page.step(
-        "A small swing across the edge of a count leaves this energy",
+        "A small oscillation across the edge of a count can leave a negative energy",
         -K * Delta_x * 2 * h + 2 * b * (2 * h) ** 2 / T + 2 * f_c * 2 * h,
         -2 * h * (K * Delta_x - 2 * f_c - 4 * b * h / T),
-        because=r"this is negative for $K\Delta_x>2f_c$ and a small $h$; if the motion is "
-        "repeated, the energy grows without bound",
+        because=r"this energy is negative for $K\Delta_x>2f_c$ and a small $h$; if the motion is "
+        "repeated, the user extracts any amount of energy",
     )
     page.lemma(
         "Some motion gains energy beyond $2f_c/\\Delta_x$, with any damper",
@@ -68,11 +73,12 @@ def derive(page):
     page.lemma(
         "Some motion gains energy beyond $2b/T$, with any friction",
         across_many(FORCES[1]),
-        because="an oscillation over many counts, with a loss that grows with the square of the "
+        because="an oscillation over many counts gains an energy that grows with the square of the "
         "amplitude",
     )
     found = page.lemma(
-        "A counted spring is passive if and only if it meets both bounds, and so is a counted wall",
+        "A spring or a wall with a counted position is passive if and only if it satisfies both "
+        "bounds",
         conj(*map(decides, FORCES)),
         boxed=True,
     )
@@ -81,14 +87,16 @@ def derive(page):
         RULE,
         found,
         example=point,
-        note="exact without delay and virtual damping, both borders included. Virtual damping from "
-        "differences of counts, or a delay, requires more",
+        note="the bounds are exact without delay and virtual damping, and the springs on both "
+        "borders are passive. Virtual damping from differences of counts, or a delay, requires "
+        "more friction or damping",
     )
     swing = {K: S.One, Delta_x: S.One, T: S.One, b: S.One, f_c: Rational(1, 4), h: Rational(1, 16)}
     page.step(
-        "With half of the friction that $K=1$ needs a swing of an eighth of a count gains",
+        "With half of the friction that $K=1$ requires an oscillation of an eighth of a count "
+        "gains energy",
         (-2 * h * (K * Delta_x - 2 * f_c - 4 * b * h / T)).subs(swing),
         -Rational(1, 32),
         name="E",
-        because="for $K=\\Delta_x=T=b=1$, $f_c=\\tfrac14$ and $h=\\tfrac1{16}$",
+        because=r"the parameters are $K=\Delta_x=T=b=1$, $f_c=\tfrac14$ and $h=\tfrac1{16}$",
     )

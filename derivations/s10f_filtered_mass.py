@@ -1,4 +1,4 @@
-r"""What does a filter of the velocity cost a light device?
+r"""How much stable stiffness does a light device lose by a filter of the velocity?
 
 A low-pass filter of the velocity, $1/(\tau_fs+1)$ by backward Euler, delays the force of the
 damper. For a free mass we derive how stiff the wall may be, and whether the filter is equivalent to
@@ -21,11 +21,11 @@ def derive(page):
         "By backward Euler the low-pass filter is an exponential average",
         1 / (tau_f / T * (1 - 1 / z) + 1),
         ((1 - f_v) * z / (z - f_v)).subs(f_v, tau_f / (T + tau_f)),
-        because="with $s=(1-1/z)/T$; the pole is $f_v=\\tau_f/(T+\\tau_f)$",
+        because=r"backward Euler is $s=(1-1/z)/T$, and the pole becomes $f_v=\tau_f/(T+\tau_f)$",
     )
     wall = alpha + beta * in_z(DIFFERENCE.times(exponential_average(f_v)))
     page.step(
-        "A free mass with a filtered velocity has this polynomial",
+        "With a filtered velocity the polynomial of a free mass is a cubic",
         (z - 1) ** 2 * (z - f_v) * (1 + mass.numerator / mass.denominator * wall),
         LOOP.of[0].subs({K: alpha, B: beta}),
         name=r"p_f(z)",
@@ -35,7 +35,7 @@ def derive(page):
         "For $m=T=1$ a free mass with a filtered velocity is stable just within these bounds",
         in_units(),
         because="the last of Jury's inequalities is the quadratic one, and no negative damping "
-        "meets it together with the others",
+        "satisfies all of them",
     )
     printed = STATEMENTS[EXACT].printed
     found = page.lemma(
@@ -48,7 +48,8 @@ def derive(page):
         EXACT,
         found,
         example=soft,
-        note="exact without delay; for $\\tau_f=0$ it is the limit of a wall without filter",
+        note=r"the bounds are exact without delay; for $\tau_f=0$ they are the limit of a wall "
+        "without a filter",
     )
     _tangent(page, printed)
     _delay(page, printed, soft)
@@ -58,7 +59,7 @@ def _tangent(page, printed):
     """At the origin the filter does not count; it bends the boundary."""
     left, right = printed[-1].args
     page.step(
-        "On the line $K=2B/T$ the last bound is missed by the square of the damping",
+        "On the line $K=2B/T$ the last inequality fails by a term with the square of the damping",
         (left - right).subs(K, 2 * B / T),
         4 * B**2 * (T + tau_f) * (T + 2 * tau_f) / T**2,
         because="so this line is the tangent at the origin for every filter; the filter affects "
@@ -69,29 +70,31 @@ def _tangent(page, printed):
         below_the_tangent(*printed),
     )
     page.say(
-        "This is also the tangent without the filter. For slow motions the delay of the spring is "
-        "decisive, and the spring is not filtered. The delay of the damper has only a second-order "
-        "effect. A delay of the complete wall is different: its tangent is $K=B/(\\frac12T+t_d)$."
+        "This line is also the tangent without the filter. For slow motions the delay of the "
+        "spring is decisive, and the spring is not filtered. The delay of the damper has only a "
+        "second-order effect. A delay of the complete wall is different: its tangent is "
+        r"$K=B/(\frac12T+t_d)$."
     )
 
 
 def _delay(page, printed, soft):
     [rule] = STATEMENTS[DELAY].printed
     found = page.lemma(
-        "With little damping a filter takes less stiffness than the same delay of the wall",
+        "With little damping a filter reduces the stiffness less than the same delay of the wall",
         counted_as_delay(rule, *printed),
         boxed=True,
     )
     strong = soft | {K: S.Half, B: S.One}
-    page.lemma("With $m=T=\\tau_f=B=1$ the stiffness $\\frac12$ grows", escapes(LOW_PASS, strong))
+    page.lemma(r"With $m=T=\tau_f=B=1$ the wall $K=\frac12$ is unstable", escapes(LOW_PASS, strong))
     page.settle(
         DELAY,
         found,
         example=soft | {K: S.One / 8},
         unless={LITTLE: (strong, escapes(LOW_PASS, strong))},
         shows="$m=T=\\tau_f=B=1$: the rule allows $K<\\tfrac23$, and $K=\\tfrac12$ is unstable",
-        note="at the origin the rule is too strict by the factor $1+2\\tau_f/T$; from "
-        "$B=2m\\tau_f/(T(T+4\\tau_f))$ on it allows unstable walls, and for $\\tau_f=0$ everywhere",
+        note=r"near the origin the limit of the rule is too small by the factor $1+2\tau_f/T$. "
+        r"From $B=2m\tau_f/(T(T+4\tau_f))$ on the rule allows unstable walls; for $\tau_f=0$ it "
+        "does so for every $B$",
     )
 
 

@@ -1,6 +1,6 @@
-r"""Is a virtual coupling passive if its damper outweighs half of its spring?
+"""Is a virtual coupling passive if its damper outweighs half of its spring?
 
-A laboratory renders a mass of 2.4 kg with a delta.3 device, and its design record is public. The
+A laboratory renders a mass of 2.4 kg with a delta.3 device and has published the design record. The
 record explains why a force proportional to the measured acceleration cannot do this. Instead, a
 computer simulates the mass by backward Euler, and a spring and a damper couple it to the device. We
 check each number and each relation of the record.
@@ -35,7 +35,7 @@ def _damper(page):
     page.say(
         "The device is at $x$ and the simulated mass at $x_s$. The force of the coupling is "
         "$K(x_s-x)+B(v_s-v)$. A coupling that is passive with every mass is also passive with a "
-        "very heavy one, which does not move. The coupling is then a wall."
+        "very heavy mass, which does not move. In this limit the coupling is a wall."
     )
     [right] = read(RIGHT)
     found = page.lemma(
@@ -68,7 +68,7 @@ def _implicit(page):
     found = page.lemma(
         "A step of backward Euler never raises the energy of a mass and a spring",
         loses_energy(),
-        because="it loses $\\frac12m(v-q)^2+\\frac12k(x-p)^2$",
+        because=r"the step reduces the energy by $\frac12m(v-q)^2+\frac12k(x-p)^2$",
         boxed=True,
     )
     step = {m: S.One, k: S.One, T: S.One, x: S.One, v: S.Zero}
@@ -96,10 +96,10 @@ def _masses(page):
         example=slow | {d: S.Zero},
         unless={Eq(d, 0): (slow, swings_up(slow))},
         shows="$m_v=\\tfrac32m$ is unstable with a delay of one period",
-        note="exact for a free mass without delay, see \\chapter{s10b_virtual_mass}",
+        note=r"the bound is exact for a free mass without delay (\chapter{s10b_virtual_mass})",
     )
     found = page.lemma(
-        "A virtual mass that is stable beside a spring is stable alone",
+        "A virtual mass that is stable together with a spring is stable alone",
         fades_alone(),
         because="the product of the zeros is $m_v/(2m)$ with and without the spring",
     )
@@ -108,11 +108,11 @@ def _masses(page):
         BESIDE,
         found,
         example=(stiff, roots_inside(SPRUNG.at(stiff).terms[0], z, {})),
-        note="for a free mass without delay and damping",
+        note="this holds for a free mass without delay and damping",
     )
     light = {m_v: Rational(1, 4), m: S.One, K: Rational(1, 10), T: S.One}
     page.lemma(
-        "Beside the spring $KT^2/m=\\frac1{10}$ a virtual mass of $\\frac14m$ is not stable",
+        r"With the spring $KT^2/m=\frac1{10}$ a virtual mass of $\frac14m$ is not stable",
         escapes(SPRUNG, light),
         because="sampling adds more energy to the spring than such a light virtual mass dissipates",
     )
@@ -127,8 +127,9 @@ def _numbers(page):
         page.settle(id, for_all([T], given, at_rate), example={T: RATE})
     page.settle("coupling:rest", number(proposition(STATEMENTS["coupling:rest"].printed[0])))
     page.say(
-        "The second difference has the weights 1, $-2$ and 1. Errors of up to $e$ in three samples "
-        "therefore become up to $4e/T^2$, 64 million times $e$."
+        "The second difference has the weights 1, $-2$ and 1. So errors of up to $e$ in three "
+        "samples become errors of up to $4e/T^2$. At 4 kHz this is 64 million times $e$, in SI "
+        "units."
     )
     page.settle_external(
         "coupling:passive-mass",
@@ -138,7 +139,8 @@ def _numbers(page):
     )
     page.say(
         "According to the record the device has a mass of 0.4 to 0.5 kg, so that 2.4 kg is 4.8 to "
-        "6 times as much. The factor of twelve is the ratio to 0.2 kg, half of the smaller mass."
+        "6 times this mass. The record's factor of twelve is the ratio to 0.2 kg, half of the "
+        "smaller mass."
     )
     page.settle_slip(
         "coupling:ratio",

@@ -75,7 +75,7 @@ def derive(page):
     det = form[0, 0] * form[1, 1] - form[0, 1] * form[1, 0]
     margin = b * (b - straight) - epsilon * rest * square / 4
     page.step(
-        "The form in $p$ and $q$ is positive if its determinant is",
+        "The form in $p$ and $q$ is positive if its determinant is positive",
         det * T**2 * epsilon * rest,
         b * (b - N) - epsilon * rest * square / 4,
         name=r"\varepsilon(1-\varepsilon)T^2\det",

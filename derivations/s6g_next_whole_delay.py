@@ -70,7 +70,7 @@ def derive(page):
         r"$r\sin\kappa\le1$",
     )
     found = page.lemma(
-        "It is safe to round the delay up to an integer",
+        "A delay that is rounded up to an integer is safe",
         safe_when_rounded_up(),
         because="these three cases prove $f\\ge0$ for $K>0$. For $K=0$ the passive values of $B$ "
         "begin at $-b$ with every delay. They end at $b$ with the next integer delay, and not "
