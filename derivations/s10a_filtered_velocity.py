@@ -1,8 +1,8 @@
 r"""Which walls are passive if the velocity is filtered?
 
 Most controllers filter the difference of two samples by an exponential average,
-$v_k=f_v\,v_{k-1}+(1-f_v)(x_k-x_{k-1})/T$ with a pole $0\le f_v<1$. We ask how much damping the
-device must have, and whether a passive wall stays passive with the filter.
+$v_k=f_v\,v_{k-1}+(1-f_v)(x_k-x_{k-1})/T$ with a pole $0\le f_v<1$. How much damping must the device
+have, and does a passive wall stay passive with the filter?
 """
 
 from sympy import Eq, I, Rational, S, cos, exp, pi
@@ -25,12 +25,12 @@ FILTERED, PLAIN = "rules:average-damping", "rules:plain-damping"
 
 def derive(page):
     wall = page.define(
-        "The damper acts on the average of the differences",
+        "The damper takes the average of the differences",
         r"H(z)",
         K + B / T * in_z(DIFFERENCE.times(exponential_average(f_v))),
     )
     page.step(
-        "In the filtered wall the pole $f_v$ replaces the pole at 0",
+        "The filter moves the pole of the wall from 0 to $f_v$",
         wall,
         K + B * (1 - f_v) * (z - 1) / (T * (z - f_v)),
         name="H(z)",
@@ -47,7 +47,7 @@ def derive(page):
         r"$z=e^{j\theta}$",
     )
     page.lemma(
-        "A filtered wall is passive if and only if it does not pull and the damper dissipates "
+        "A filtered wall is passive if and only if it does not pull and the device dissipates "
         "enough at each angle",
         by_angle(),
         because="the impulse response of the filter decays, so that the energy of a motion is an "
@@ -56,7 +56,7 @@ def derive(page):
     slow, fast = b - SLOW.left, b - FAST.left
     weight = (1 - f_v) ** 2 * (1 + cos(theta)) / (2 * (1 - 2 * f_v * cos(theta) + f_v**2))
     page.step(
-        "The margin is a weighted mean of its values at low frequencies and at the Nyquist "
+        "The margin is a weighted mean of its values at frequency zero and at the Nyquist "
         "frequency",
         MARGIN.right,
         weight * slow + (1 - weight) * fast,
@@ -65,7 +65,7 @@ def derive(page):
     found = page.lemma(
         "A filtered wall that does not pull is passive if and only if it meets both bounds",
         decides(),
-        because="a mean of two numbers that are not negative is not negative, and the margin comes "
+        because="a mean of two numbers that are not negative is not negative; and the margin comes "
         "arbitrarily close to both numbers",
         boxed=True,
     )
@@ -74,25 +74,25 @@ def derive(page):
         FILTERED,
         found,
         example=easy,
-        note="both bounds are exact for this loop without delay, and the walls on both borders are "
-        "passive. The first bound is stricter for $B>0$ and the second for $B<0$; no filter "
-        "relaxes the second. With a delay (4) decides",
+        note="the bounds are exact for this loop without delay, including walls on the bounds. The "
+        "first bound is stricter for $B>0$ and the second for $B<0$; no filter relaxes the second "
+        "bound. With a delay, condition (4) decides",
     )
     page.say(
         "The filter removes the virtual damper at high frequencies, where sampling makes it "
-        "active. With $f_v=0.9$ only a nineteenth of $B$ remains in the first bound. So with $B>0$ "
-        "more walls are passive with a filter. But the same filter reduces the stable stiffness of "
-        r"a light device (\chapter{s10f_filtered_mass})."
+        "active. With $f_v=0.9$ only a nineteenth of $B$ remains in the first bound. This result "
+        "concerns passivity. The same filter reduces the stable stiffness of a light device, see "
+        r"\chapter{s10f_filtered_mass}."
     )
-    found = page.lemma("A wall that satisfies (6) is passive with every filter", without_filter())
+    found = page.lemma("A wall that meets (6) is passive with every filter", without_filter())
     late = {K: S.One, B: S.One / 8, b: Rational(3, 4), T: S.One, f_v: S.Half, d: S.One}
     page.settle(
         PLAIN,
         found,
         example=late | {d: S.Zero},
         unless={Eq(d, 0): (late, gives_energy(late, pi / 3))},
-        shows="$K=1$, $B=\\tfrac18$, $b=\\tfrac34$, $T=1$: with a delay of one period the wall "
-        "delivers energy in slow motions",
-        note="the bound is safe with every filter and exact without a filter; it does not hold "
-        "with a delay",
+        shows=r"with a delay of one period and $T=1$, the wall $K=1$, $B=\tfrac18$ with "
+        r"$b=\tfrac34$ delivers energy in slow motions",
+        note="the rule is safe with every filter and exact without a filter; it does not allow for "
+        "a delay",
     )

@@ -1,8 +1,8 @@
-"""How large may a virtual mass be?
+r"""How large may a virtual mass be?
 
-A virtual mass is a force $m_v(x_k-2x_{k-1}+x_{k-2})/T^2$, which is proportional to the acceleration
-of three samples. We ask which virtual masses are passive, alone or together with a spring and a
-damper, and which are stable.
+A virtual mass is a force $m_v(x_k-2x_{k-1}+x_{k-2})/T^2$, proportional to the acceleration that is
+computed from three samples. Which virtual masses are passive, alone or together with a spring and a
+damper, and which are stable?
 """
 
 from sympy import Eq, I, Rational, S, cos, exp
@@ -30,7 +30,7 @@ STILL = {K: S.Zero, B: S.Zero, m_v: S.One / 4, b: S.Half, T: S.One}
 def derive(page):
     difference = in_z(DIFFERENCE)
     wall = page.define(
-        "The wall consists of a spring, a damper and a virtual mass",
+        "Spring, damper and virtual mass",
         r"H(z)",
         K + B / T * difference + m_v / T**2 * difference**2,
     )
@@ -44,7 +44,7 @@ def derive(page):
         r"$z=e^{j\theta}$",
     )
     page.lemma(
-        "A wall with a virtual mass is passive if and only if it does not pull and the damper "
+        "A wall with a virtual mass is passive if and only if it does not pull and the device "
         "dissipates enough at each angle",
         by_angle(),
     )
@@ -52,12 +52,12 @@ def derive(page):
         "The margin is smallest at the Nyquist frequency",
         MARGIN.right - (b - BOUND.left),
         (1 + cos(theta)) * (B + m_v / T * (3 - 2 * cos(theta))),
-        because=r"the difference from the margin at this frequency is not negative for $B\ge0$ and "
-        r"$m_v\ge0$, and tends to 0 for $\theta\to\pi$",
+        because=r"the right side is not negative for $B\ge0$ and $m_v\ge0$, and tends to 0 for "
+        r"$\theta\to\pi$",
     )
     found = page.lemma(
         "A wall with a virtual mass is passive if and only if the damping of the device outweighs "
-        "all three",
+        "spring, damper and virtual mass together",
         decides(),
         boxed=True,
     )
@@ -65,7 +65,7 @@ def derive(page):
         BESIDE,
         found,
         example=STILL,
-        note="the bound is exact without delay, and the walls on the border are passive",
+        note="the bound is exact without delay, including walls on the bound",
     )
     _alone(page)
     _free(page)
@@ -83,7 +83,7 @@ def _alone(page):
         found,
         example=STILL,
         unless={none[0]: (stiff, gives_energy(stiff)), none[1]: (damped, gives_energy(damped))},
-        shows="$b=\\tfrac12$, $T=1$, $m_v=\\tfrac14$: the virtual mass requires all of the "
+        shows=r"for $b=\tfrac12$, $T=1$ the virtual mass $m_v=\tfrac14$ requires all of the "
         "damping, so that none remains for a spring",
         note="the bound is exact for a virtual mass alone; a spring and a damper require "
         "additional damping",
@@ -96,14 +96,16 @@ def _free(page):
     mu = m_v / m
     response = mass.numerator / mass.denominator * mu * (1 - 1 / z) ** 2
     page.step(
-        "The polynomial without the factor of the drift has degree $d+2$",
+        "The denominator $(z-1)^2$ of a free mass cancels against the virtual mass",
         z ** (d + 2) * (1 + response * z**-d),
         z ** (d + 2) + mu / 2 * (z + 1),
         name="p_M(z)",
-        because="this is the loop's polynomial divided by $(z-1)^2$, the factor of a motion at "
+        because="$p_M(z)$ is the loop's polynomial divided by $(z-1)^2$, the factor of a motion at "
         "constant speed; a virtual mass does not change this motion",
     )
-    found = page.lemma("Without delay a virtual mass is stable just below $2m$", free())
+    found = page.lemma(
+        "Without delay a virtual mass is stable if and only if it is smaller than $2m$", free()
+    )
     slow = {m_v: Rational(3, 2), m: S.One, d: S.One}
     page.settle(
         FREE,
@@ -111,5 +113,5 @@ def _free(page):
         example=slow | {d: S.Zero},
         unless={Eq(d, 0): (slow, swings_up(slow))},
         shows="$m_v=\\tfrac32m$ is unstable with a delay of one period",
-        note="the bound is exact for a free mass without delay",
+        note="the limit is exact for a free mass without delay",
     )

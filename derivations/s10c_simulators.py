@@ -1,8 +1,8 @@
-"""How stiff may a spring be in a simulator?
+r"""How stiff may a spring be in a simulator?
 
 A simulator integrates Newton's law by Euler's method, and computes the force from position and
-velocity of the simulated mass. The stiffness limits in simulation code apply to this loop. We ask
-whether they are exact for this loop, and whether they are valid for a real device.
+velocity of the simulated mass. The stiffness limits in simulation code apply to this loop. Are they
+exact for it, and are they valid for a real device?
 """
 
 from sympy import Matrix
@@ -28,9 +28,9 @@ def derive(page):
     }
     for id, name in ((SEMI, "Semi-implicit Euler"), (PLAIN, "Explicit Euler")):
         theorem = page.lemma(
-            f"{name} is stable just within these bounds",
+            f"{name} is stable if and only if these bounds hold",
             found[id],
-            because="the bounds are Jury's inequalities for a polynomial with two zeros",
+            because="the bounds are Jury's inequalities for a quadratic polynomial",
             boxed=True,
         )
         page.settle(id, theorem, example=POINT, note="the bounds are exact for this simulator")
@@ -58,13 +58,13 @@ def _steps(page):
         "explicit Euler by the old one."
     )
     page.step(
-        "Semi-implicit Euler gives the loop a quadratic polynomial",
+        "The loop of semi-implicit Euler has this polynomial",
         (z * eye(2) - moves * new_speed).det(),
         z**2 + (alpha + beta - 2) * z + 1 - beta,
         name=r"\det(z-A_{\text{semi}})",
     )
     page.step(
-        "Explicit Euler gives the loop another quadratic polynomial",
+        "The loop of explicit Euler has this polynomial",
         (z * eye(2) - (eye(2) + rate - push * wall)).det(),
         z**2 + (beta - 2) * z + 1 - beta + alpha,
         name=r"\det(z-A_{\text{explicit}})",
@@ -76,11 +76,10 @@ def _below_two(page, found):
     symbols, given, then = taken_apart(page.claim(BOTH))
     exact = [found[id] for id in (SEMI, PLAIN)]
     page.lemma(
-        r"The wall $KT^2/m=1$, $BT/m=\frac12$ is unstable with explicit Euler",
-        escapes(EXPLICIT, POINT),
+        r"With explicit Euler $KT^2/m=1$, $BT/m=\frac12$ is unstable", escapes(EXPLICIT, POINT)
     )
     page.lemma(
-        r"The wall $KT^2/m=\frac12$, $BT/m=\frac{19}{10}$ is unstable with semi-implicit Euler",
+        r"With semi-implicit Euler $KT^2/m=\frac12$, $BT/m=\frac{19}{10}$ is unstable",
         escapes(SEMI_IMPLICIT, EDGE),
     )
     page.settle(
@@ -97,8 +96,8 @@ def _below_two(page, found):
             (at, not_all(then.at(at), escapes(loop, at)))
             for loop, at in ((EXPLICIT, POINT), (SEMI_IMPLICIT, EDGE))
         ],
-        shows="explicit Euler is unstable at $(1,\\tfrac12)$, semi-implicit Euler at "
-        "$(\\tfrac12,\\tfrac{19}{10})$: spring and damper share one bound",
+        shows=r"explicit Euler is unstable for $KT^2/m=1$, $BT/m=\tfrac12$, and semi-implicit "
+        r"Euler for $KT^2/m=\tfrac12$, $BT/m=\tfrac{19}{10}$: spring and damper share one bound",
     )
 
 
@@ -108,31 +107,31 @@ def _one_mass(page, exact):
     here = SI.and_(*taken_apart(page.claim(ONE))[1], little)
     bounds = exact.conclusion.of[0]
     theorem = page.lemma(
-        "With little damping a stiffness of a quarter of $4m/T^2$ is stable in a simulator",
+        "With little damping a quarter of $4m/T^2$ is stable in a simulator",
         here.closed(mp(exact, here.show(bounds))),
-        because="with a damping of up to three quarters of $2m/T$ at least a quarter of the bound "
-        "remains",
+        because="if the damping is at most three quarters of $2m/T$, at least a quarter of the "
+        "bound remains",
     )
     page.settle(
         ONE,
         theorem,
         example=POINT | {K: S.Half},
         unless={little: (EDGE, escapes(SEMI_IMPLICIT, EDGE))},
-        shows="$m=T=1$: $K=\\tfrac12$, $B=\\tfrac{19}{10}$ grows",
-        note="this holds for semi-implicit Euler. For a real device no multiple of $m/T^2$ is a "
-        r"limit (\chapter{s8c_four_masses})",
+        shows=r"for $m=T=1$ the wall $K=\tfrac12$, $B=\tfrac{19}{10}$ is unstable",
+        note="this holds for semi-implicit Euler; for a device in place of a simulator no multiple "
+        r"of $m/T^2$ is a limit (\chapter{s8c_four_masses})",
     )
 
 
 def _held(page):
     """The same bound for a device."""
     page.say(
-        "A real device differs from a simulator in two ways: the force is held while the device "
-        "moves, and the velocity is the difference of two samples. Each of these effects delays "
-        "the wall by half a period:"
+        "A device differs from a simulator in two ways: its force is held while it moves, and its "
+        "velocity is the difference of two samples. Each of these two differences adds a delay of "
+        "half a period:"
     )
     page.step(
-        "The simulator's bound is more than twice that of a free mass without delay",
+        "The ratio of the simulator's bound to that of a free mass without delay exceeds 2",
         (4 * m / T**2 - 2 * B / T) / of_two_samples(),
         1 + 2 * m / (B * T),
         because="the ratio exceeds 2 for $BT<2m$, and it has no bound as the damping tends to 0",
@@ -140,5 +139,5 @@ def _held(page):
     settle_by_two_samples(
         page,
         HELD,
-        "the bound is exact for semi-implicit Euler, and at least twice the limit of a real device",
+        "the bound is exact for semi-implicit Euler, and at least twice the limit of a device",
     )

@@ -1,8 +1,8 @@
-"""What does a measured velocity change?
+r"""What does a measured velocity change?
 
 Some devices have a tachometer, and a simulator knows the velocity of its mass. The damper of the
-wall then uses this velocity and not a difference of positions. We ask how stiff the wall may be,
-and whether the same limit holds for the difference.
+wall then uses this velocity and not a difference of positions. How stiff may the wall be, and does
+the same limit hold for a difference of positions?
 """
 
 from sympy import Matrix, S, eye
@@ -28,15 +28,15 @@ def derive(page):
     show_motion(page, mass, (phi, held), "xv", "obeys Newton's law")
     one, moved = phi.subs(t, 1), held.subs(t, 1)
     page.step(
-        "With a measured velocity the polynomial of the loop is quadratic",
+        "With a measured velocity the loop has this polynomial",
         (z * eye(2) - one + moved * Matrix([[alpha, beta]])).det(),
         (z - 1) ** 2 + (alpha / 2 + beta) * (z - 1) + alpha,
         name=r"\det(z-A)",
     )
     found = page.lemma(
-        "With a measured velocity a wall of a free mass is stable just within these bounds",
+        "With a measured velocity a wall of a free mass is stable if and only if these bounds hold",
         decided_by(MEASURED, *STATEMENTS[KNOWN].printed),
-        because="the bounds are Jury's inequalities for a polynomial with two zeros",
+        because="the bounds are Jury's inequalities for a quadratic polynomial",
         boxed=True,
     )
     page.settle(
@@ -52,10 +52,10 @@ def derive(page):
         "samples the limit falls to zero instead:"
     )
     page.step(
-        "A difference of two samples lowers the limit of the stiffness",
+        "A measured velocity raises the bound by this stiffness",
         2 * B / T - of_two_samples(),
         4 * B**2 / (2 * m + B * T),
-        because="for little damping the reduction is small; at $BT=2m$ it is the whole stiffness",
+        because="for little damping this increase is small; at $BT=2m$ it is the whole stiffness",
     )
     settle_by_two_samples(
         page,

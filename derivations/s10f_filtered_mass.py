@@ -1,4 +1,4 @@
-r"""How much stable stiffness does a light device lose by a filter of the velocity?
+r"""What does a filter of the velocity cost a light device?
 
 A low-pass filter of the velocity, $1/(\tau_fs+1)$ by backward Euler, delays the force of the
 damper. For a free mass we derive how stiff the wall may be, and whether the filter is equivalent to
@@ -21,25 +21,27 @@ def derive(page):
         "By backward Euler the low-pass filter is an exponential average",
         1 / (tau_f / T * (1 - 1 / z) + 1),
         ((1 - f_v) * z / (z - f_v)).subs(f_v, tau_f / (T + tau_f)),
-        because=r"backward Euler is $s=(1-1/z)/T$, and the pole becomes $f_v=\tau_f/(T+\tau_f)$",
+        because="backward Euler replaces $s$ by $(1-1/z)/T$, and the pole is "
+        r"$f_v=\tau_f/(T+\tau_f)$",
     )
     wall = alpha + beta * in_z(DIFFERENCE.times(exponential_average(f_v)))
     page.step(
-        "With a filtered velocity the polynomial of a free mass is a cubic",
+        "A free mass with a filtered velocity has this polynomial",
         (z - 1) ** 2 * (z - f_v) * (1 + mass.numerator / mass.denominator * wall),
         LOOP.of[0].subs({K: alpha, B: beta}),
         name=r"p_f(z)",
         because="the state of the filter replaces the previous sample",
     )
     page.lemma(
-        "For $m=T=1$ a free mass with a filtered velocity is stable just within these bounds",
+        "For $m=T=1$ a free mass with a filtered velocity is stable if and only if these bounds "
+        "hold",
         in_units(),
-        because="the last of Jury's inequalities is the quadratic one, and no negative damping "
-        "satisfies all of them",
+        because="the last of Jury's inequalities is the quadratic one, and no wall with negative "
+        "damping meets all of them",
     )
     printed = STATEMENTS[EXACT].printed
     found = page.lemma(
-        "A free mass with a filtered velocity is stable just within these bounds",
+        "A free mass with a filtered velocity is stable if and only if these bounds hold",
         decides(*printed),
         boxed=True,
     )
@@ -48,8 +50,8 @@ def derive(page):
         EXACT,
         found,
         example=soft,
-        note=r"the bounds are exact without delay; for $\tau_f=0$ they are the limit of a wall "
-        "without a filter",
+        note=r"the bounds are exact without delay; for $\tau_f=0$ they are those of a wall without "
+        "a filter",
     )
     _tangent(page, printed)
     _delay(page, printed, soft)
@@ -59,42 +61,43 @@ def _tangent(page, printed):
     """At the origin the filter does not count; it bends the boundary."""
     left, right = printed[-1].args
     page.step(
-        "On the line $K=2B/T$ the last inequality fails by a term with the square of the damping",
+        "On the line $K=2B/T$ the last bound is violated by a multiple of $B^2$",
         (left - right).subs(K, 2 * B / T),
         4 * B**2 * (T + tau_f) * (T + 2 * tau_f) / T**2,
-        because="so this line is the tangent at the origin for every filter; the filter affects "
-        "only the curvature of the boundary",
+        because="the excess is of second order, so that this line is the tangent at the origin for "
+        "every filter; the filter affects only the curvature of the boundary",
     )
     page.lemma(
         "With every filter a stable wall of a free mass lies below the line $K=2B/T$",
         below_the_tangent(*printed),
     )
     page.say(
-        "This line is also the tangent without the filter. For slow motions the delay of the "
-        "spring is decisive, and the spring is not filtered. The delay of the damper has only a "
-        "second-order effect. A delay of the complete wall is different: its tangent is "
-        r"$K=B/(\frac12T+t_d)$."
+        "This is also the tangent without the filter. For slow motions the delay of the spring is "
+        "decisive, and the spring is not filtered. The delay of the damper has only a second-order "
+        "effect. A delay of the complete wall is different: its tangent is $K=B/(\\frac12T+t_d)$."
     )
 
 
 def _delay(page, printed, soft):
     [rule] = STATEMENTS[DELAY].printed
     found = page.lemma(
-        "With little damping a filter reduces the stiffness less than the same delay of the wall",
+        "With little damping a filter reduces the stiffness less than an equal delay of the wall",
         counted_as_delay(rule, *printed),
         boxed=True,
     )
     strong = soft | {K: S.Half, B: S.One}
-    page.lemma(r"With $m=T=\tau_f=B=1$ the wall $K=\frac12$ is unstable", escapes(LOW_PASS, strong))
+    page.lemma(
+        r"With $m=T=\tau_f=B=1$ the stiffness $\frac12$ is unstable", escapes(LOW_PASS, strong)
+    )
     page.settle(
         DELAY,
         found,
         example=soft | {K: S.One / 8},
         unless={LITTLE: (strong, escapes(LOW_PASS, strong))},
-        shows="$m=T=\\tau_f=B=1$: the rule allows $K<\\tfrac23$, and $K=\\tfrac12$ is unstable",
-        note=r"near the origin the limit of the rule is too small by the factor $1+2\tau_f/T$. "
-        r"From $B=2m\tau_f/(T(T+4\tau_f))$ on the rule allows unstable walls; for $\tau_f=0$ it "
-        "does so for every $B$",
+        shows=r"for $m=T=\tau_f=B=1$ the rule allows $K<\tfrac23$, but $K=\tfrac12$ is unstable",
+        note=r"at the origin the rule is too strict by the factor $1+2\tau_f/T$. From "
+        r"$B=2m\tau_f/(T(T+4\tau_f))$ on the rule allows unstable walls; for $\tau_f=0$ it does so "
+        "for every $B$",
     )
 
 

@@ -50,7 +50,8 @@ def prose():
         for path in sorted(ROOT.glob(pattern)):
             nodes = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
             parts = (n.value for n in nodes if isinstance(n, ast.Constant))
-            yield path, "\n".join(part for part in parts if isinstance(part, str))
+            text = "\n".join(part for part in parts if isinstance(part, str))
+            yield path, text
 
 
 @pytest.mark.skipif(not (ROOT / "derivations").is_dir(), reason="no repository around the tests")
