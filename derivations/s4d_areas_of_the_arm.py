@@ -42,10 +42,9 @@ def derive(page):
     page.settle(
         "s4d-all-stabilising-area",
         conj(spring, damper, mass),
-        note="this is proved without delay: for the largest spring of (23) against no spring, with "
-        "the smallest and with the largest damping; for every damper inside (23); and for twice "
-        "the mass of the arm of Figs. 11 and 12. A single wall can lose its stability "
-        "(s4d-all-stabilising)",
+        note="this is proved without delay. The spring is the largest of (23), with the smallest "
+        "and the largest damping. The damper is any inside (23). The mass is twice that of the arm "
+        "of Figs. 11 and 12. A single wall can lose its stability (s4d-all-stabilising)",
     )
 
 

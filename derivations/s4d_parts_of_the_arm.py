@@ -76,9 +76,9 @@ def derive(page):
             (_arms(light, 2, S.Zero), steady, falls),
         ],
         shows="a wall that is stable with a free mass and unstable with a spring inside (23)",
-        note="for single walls: twice the mass destabilises a wall at $d=1$, and more damping can "
-        "destabilise a wall outside (23). Without delay none of the three reduces the area "
-        "(s4d-all-stabilising-area)",
+        note="the correction is about single walls. Twice the mass destabilises a wall at $d=1$, "
+        "and more damping can destabilise a wall outside (23). Without delay none of the three "
+        "reduces the area (s4d-all-stabilising-area)",
     )
 
 
