@@ -1,8 +1,8 @@
 r"""Is there an explicit stability boundary with delay and stiffness?
 
-The paper computes the boundary of the stable region on a grid, since the inequalities of the usual
-criteria grow with the delay. But the characteristic polynomial is affine in $\alpha$ and $\beta$,
-so that one complex equation on the unit circle gives both coefficients.
+The paper computes the boundary of the stable region on a grid, since the usual inequalities grow
+with the delay. But the characteristic polynomial is affine in $\alpha$ and $\beta$, so that one
+complex equation on the unit circle gives both coefficients.
 """
 
 from symhaptic.book.figures.arguments import crossing
@@ -15,9 +15,8 @@ def derive(page):
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
     polynomial = bottom * z ** (d + 1) + top * ((alpha + beta) * z - beta)
     page.say(
-        "Let $A=z^2-az+e$ be the denominator and $N=n_1z+n_0$ the numerator of the sampled device, "
-        r"and let $p_1=z^{d+1}A+N((\alpha+\beta)z-\beta)$ be the monic characteristic polynomial "
-        r"(\chapter{s4b_polynomial}). At a root of $p_1$ the wall satisfies one complex equation:"
+        "The sampled device is $N/A$ with $A=z^2-az+e$, $N=n_1z+n_0$, and the characteristic "
+        r"polynomial is $p_1=z^{d+1}A+N((\alpha+\beta)z-\beta)$ (\chapter{s4b_polynomial}):"
     )
     q = boundary.needed(plant.Sampled(n_1, n_0, a, e))
     page.step(
@@ -27,10 +26,7 @@ def derive(page):
         name=r"\frac{p_1(z)}{zN(z)}",
         because=r"the polynomial vanishes if $\alpha+\beta(1-1/z)=Q$ with $Q=-z^dA/N$",
     )
-    page.say(
-        r"On the circle, $z=e^{j\theta}$, its real and imaginary parts are two real "
-        "equations."
-    )
+    page.say(r"On the circle, $z=e^{j\theta}$, its real and imaginary part are real equations.")
     stiffness, damping = boundary.solved(on_circle(q))
     page.step(
         "At each angle one wall solves both equations",
@@ -109,8 +105,7 @@ def _settled(page):
     page.lemma(
         "For a damped device $N$ does not vanish on the circle",
         numerator_on_circle(),
-        because="a held force that is multiplied by $z$ in each period does work on a damped "
-        "device, so that it moves the device",
+        because="a held force that is multiplied by $z$ in each period does work",
     )
     arm = (gamma, delta, d)
     given = [gamma >= 0, delta >= 0, d >= 0]
@@ -127,8 +122,7 @@ def _settled(page):
         "explicit-boundary",
         for_all(arm, given, found),
         example={gamma: S.One, delta: S.One, d: S.One},
-        note="for fractional delays the formula uses the principal sheet of the paper's "
-        "substitution",
+        note="for fractional delays it uses the principal sheet of the paper's substitution",
     )
     page.settle_external(
         "s4d-explicit-only-undelayed",
@@ -143,8 +137,8 @@ SPRING = Symbol("g")
 
 def _undamped(page):
     page.say(
-        "For a mass with a spring and no damper the formula is as short as for a free mass. It "
-        "shows where the boundary ends if $n_1=n_0$; no wall has a root at $-1$ in this case."
+        "For a mass with a spring and no damper the formula is also short. In this case $n_1=n_0$, "
+        "and no wall has a root at $-1$."
     )
     swinging = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
     arm = plant.Sampled(swinging.n1, swinging.n0, swinging.a, S.One)
@@ -180,8 +174,8 @@ def begin(page, stiffness, damping):
     """The end at theta -> 0, in units of gamma, with x = cos Omega."""
     half = Rational(1, 2)
     page.say(
-        r"The boundary starts on the line $\beta=\alpha(d+\frac12)$ of (25), and its slope there "
-        r"is smaller than that of the line. Let $x=\cos\Omega$:"
+        r"The boundary starts on the line $\beta=\alpha(d+\frac12)$ of (25) with a smaller slope. "
+        r"Let $x=\cos\Omega$:"
     )
     page.limit(
         r"The boundary starts at $\alpha=-\gamma$",
@@ -224,8 +218,7 @@ def begin(page, stiffness, damping):
 def end(page):
     """The end at theta -> pi, for integer delays."""
     page.say(
-        "Towards the other end, for integer $d$, stiffness and damping grow without bound, since "
-        "no wall has a root at $-1$ for $n_1=n_0$. As "
+        "At the other end, for integer $d$, stiffness and damping grow without bound. As "
         r"$\sin(d+1)\theta=(-1)^d\sin(d+1)(\pi-\theta)$, the sum $\alpha+2\beta$ has a limit:"
     )
     per_gamma = (x - cos(theta)) / (1 - x)

@@ -86,7 +86,8 @@ def damping(page):
         unless={AT_ONCE: (point, denial)},
         shows=r"at $d=49$, $\gamma=(\pi/100)^2$ no wall with $\alpha\ge0$ is stable without "
         r"damping, and $\alpha=0.0005$ is stable with $\delta=0.02$",
-        note="this holds for integer delays; without delay the factor is less than 1.05 on all of (23)",
+        note="this holds for integer delays; without delay the factor is less than 1.05 on all of "
+        "(23)",
     )
 
 
@@ -106,5 +107,6 @@ def spring(page):
         unless={AT_ONCE: (point, not_all(then.at(point), denial))},
         shows=r"at $d=49$ without damping the spring $\gamma=(\pi/100)^2$ excludes every wall with "
         r"$\alpha\ge0$, and $\alpha=0.0002$ is stable for a free mass",
-        note="this holds for integer delays; without delay the factor is less than 1.05 on all of (23)",
+        note="this holds for integer delays; without delay the factor is less than 1.05 on all of "
+        "(23)",
     )

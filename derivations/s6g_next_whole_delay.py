@@ -48,9 +48,8 @@ def derive(page):
     page.say(
         r"Let the wall be passive at the next integer delay: $r\sin\chi\le1$ at all angles. If "
         r"$\chi\ge\frac\pi2$, consider the smaller angle $\psi'$ with $N\psi'=\frac\pi2+\kappa$. "
-        r"At this angle the wall requires $\cos\kappa\,u\cot\psi'+w\sin\kappa$. Since "
-        r"$\cot\psi'\ge\cot\psi$, this number is at least $\cos\kappa\,u\cot\psi+w\sin\kappa=r$. "
-        r"So $r\le1$."
+        r"At $\psi'$ the wall requires $\cos\kappa\,u\cot\psi'+w\sin\kappa$. This number is at "
+        r"least $r$, as $\cot\psi'\ge\cot\psi$. So $r\le1$."
     )
     page.lemma(
         r"The margin is a sum of squares for $\chi\ge\frac\pi2$",
@@ -65,9 +64,8 @@ def derive(page):
     page.lemma(
         r"The margin is a sum of terms that are not negative for $\chi<\frac12\psi$",
         low(room(r * sin(kappa))),
-        because=r"$\kappa$ lies between $(N-\frac12)\psi$ and $\frac\pi2$. At the angle with "
-        r"$N\psi=\pi$ the integer delay requires the damping $w=r\sin\kappa$, so that "
-        r"$r\sin\kappa\le1$",
+        because=r"$\kappa$ lies between $(N-\frac12)\psi$ and $\frac\pi2$. At $N\psi=\pi$ the "
+        r"integer delay requires $w=r\sin\kappa$, so $r\sin\kappa\le1$",
     )
     found = page.lemma(
         "A delay that is rounded up to an integer is safe",
