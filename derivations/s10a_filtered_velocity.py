@@ -80,7 +80,7 @@ def derive(page):
     )
     page.say(
         "The filter removes the virtual damper at high frequencies, where sampling makes it "
-        "active. With $f_v=0.9$ only a nineteenth of $B$ remains in the second bound. This result "
+        "active. With $f_v=0.9$ only a nineteenth of $B$ remains in the first bound. This result "
         "concerns passivity. The same filter reduces the stable stiffness of a light device, see "
         r"\chapter{s10f_filtered_mass}."
     )
