@@ -19,9 +19,7 @@ def derive(page):
     short = (z**2 - a * z + e) * z ** (d + 1) + (n_1 * z + n_0) * ((alpha + beta) * z - beta)
     plain = (n_1 * z + n_0) / (z**2 - a * z + e)
     push = ((alpha + beta) * z - beta) / z ** (d + 1)
-    page.say(
-        "The loop consists of the sampled device $P$ and the delayed wall, in units of $m$ and $T$:"
-    )
+    page.say("The loop has the sampled device $P$ and the delayed wall, in units of $m$ and $T$:")
     page.step(
         "In units of $m/T^2$ the delayed wall is dimensionless",
         wall.normalised(FULL)[0] / wall.normalised(FULL)[1],
@@ -71,12 +69,7 @@ def derive(page):
         Eq(p, bottom),
         r"$p(z)\equiv0$ for a device without an arm: every $z$ would be a pole",
     )
-    _settle(
-        page,
-        "eq16",
-        Eq(closed, loop.closed(split=c_1)),
-        "(16) is $0/0$ for a device without an arm",
-    )
+    _settle(page, "eq16", Eq(closed, loop.closed(split=c_1)), "(16) is $0/0$ without an arm")
     _scenes(page)
 
 
