@@ -112,8 +112,8 @@ def calls(rows: list[Row]) -> Table:
         "The table gives, for each error, the fastest call that does not exceed it, and the time "
         "per value. The error is the largest one for all ordinary and hard parameters, relative to "
         "the largest term of the result. No result is NaN. C stands for exported C code, and "
-        "digits= for this argument of the function. lambdify makes the functions for float32 and "
-        "for mpmath, here with the given number of digits."
+        "digits= for this argument of the function. The functions for float32 and for mpmath, here "
+        "with the given number of digits, are made by lambdify."
     )
     head = ("function", *(f"to {_power(most)}" for most in ERRORS))
     return Table("Fastest call for a given error", head, tuple(found), len(head), says)
