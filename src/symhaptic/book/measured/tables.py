@@ -153,8 +153,13 @@ def judges(rows: list[Row]) -> Table:
 
 
 def words(name: str) -> str:
-    """A function's name in words."""
-    return name.replace("_", " ")
+    """A function's name in words.
+
+    >>> words("max_passive_stiffness"), words("passivity_margin_at")
+    ('largest passive stiffness', 'passivity margin at one angle')
+    """
+    shown = f"{name}_one_angle" if name.endswith("_at") else name
+    return shown.replace("max_", "largest_").replace("_", " ")
 
 
 def chosen(rows: Iterable[Row], **fields: Any) -> list[Row]:
