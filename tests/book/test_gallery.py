@@ -14,6 +14,8 @@ FOLDER = Path(__file__).parents[2] / "docs" / "gallery"
 
 def test_every_program_is_shown():
     assert sorted(path.stem for path in FOLDER.glob("*.py")) == sorted(gallery.ORDER)
+    page = gallery.page().astext()
+    assert all(f"{name}.py" in page for name in gallery.ORDER)
 
 
 @pytest.mark.parametrize("name", gallery.ORDER)

@@ -16,6 +16,7 @@ import pytest
 from symhaptic import is_stable, sweep
 from symhaptic.sweeps.axes import plan_of
 from symhaptic.sweeps.marks import package
+from symhaptic.sweeps.stores import _named
 
 zarr = pytest.importorskip("zarr", reason="no zarr here: no sweeps are kept")
 pytest.importorskip("xarray", reason="no xarray here: no sweeps")
@@ -470,3 +471,14 @@ def test_a_store_may_have_an_address():
     again = sweep("linear_limit", to="memory://walls/limit.zarr", **axes)
     assert found.compute().identical(again.compute())
     assert found.compute().identical(sweep("linear_limit", **axes))
+
+
+def test_a_store_that_another_process_has_named_first_stays(tmp_path):
+    draft, store = tmp_path / "draft", tmp_path / "store"
+    for folder in (draft, store):
+        folder.mkdir()
+        (folder / folder.name).touch()
+    _named(draft, str(store))
+    assert (store / "store").exists()
+    with pytest.raises(FileNotFoundError):
+        _named(tmp_path / "none", str(tmp_path / "other"))
