@@ -4,6 +4,7 @@ The reference is mpmath's matrix exponential of 40 digits: 1 + P(z) (K + B V(z))
 angle, with V(z) as control texts write the filter.
 """
 
+import math
 from itertools import product
 
 import mpmath as mp
@@ -176,6 +177,14 @@ def test_the_margin_ends_its_window():
     assert high == pytest.approx(0.001 + margin, rel=1e-12)
     assert scene.max_delay(800.0, 2.0) == pytest.approx(high, rel=1e-12)
     assert scene.delay_margin(1e6, 2.0) == 0
+
+
+def test_a_wall_that_is_weaker_than_the_device_bears_any_delay():
+    """By small gain: no step of this overdamped device passes 1/k, and K + 2 B/T < k."""
+    scene = Scene(
+        mass=1.0, damping=3.0, stiffness=2.0, sampling_period=1.0, velocity=LowPass(weight=0.5)
+    )
+    assert scene.delay_margin(K=0.05, B=0.01) == math.inf
 
 
 @pytest.mark.parametrize("spring", [None, 400.0])
