@@ -117,8 +117,8 @@ def _with_a_spring(page):
     grown = page.lemma(
         "With a lag of three periods the same parameters are unstable",
         escapes(SWINGING.at(BEHIND), wall),
-        because="a delay of three quarters of an oscillation turns the spring of the wall into a "
-        "damper, and a lag does not",
+        because="a delay of three quarters of an oscillation turns the spring of the wall into "
+        "a damper; a lag does not",
     )
     page.settle(
         BELOW,
@@ -147,9 +147,10 @@ def _loop(page):
     tau = LAG
     device = lagging(moving_mass(), tau)
     page.say(
-        "In units of mass and period the state is the position, the velocity and the force $u$ of "
-        "the actuator, with $\\tau=\\tau_a/T$ and $\\tau\\dot u=F-u$. Under a held command $F$, "
-        "the state after a time $t$ is $\\Phi(t)$ times the initial state plus $\\Gamma(t)F$:"
+        "In units of mass and period, the state consists of the position, the velocity and the "
+        r"force $u$ of the actuator, with $\tau=\tau_a/T$ and $\tau\dot u=F-u$. Under a held "
+        r"command $F$, the state after a time $t$ is $\Phi(t)$ times the initial state plus "
+        r"$\Gamma(t)F$:"
     )
     fall = exp(-t / tau)
     slip = tau * (1 - fall)

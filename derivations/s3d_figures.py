@@ -1,4 +1,4 @@
-r"""What do the plots of the passive walls show?
+r"""Which walls do the plots of the passivity boundary enclose?
 
 Fig. 4 of the paper draws the boundary for seven delays, two of them fractions of a period. The
 shape of this boundary is derived in \chapter{s3b_rise}. For which delays do these curves bound the

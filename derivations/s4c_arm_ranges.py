@@ -50,8 +50,8 @@ def derive(page):
             (rf"\frac{{{text}}}{{{NAMES[name]}}}\Big|_{{(22)}}", factor)
             for name, text, factor in zip(NAMES, ("0.001", "0.020"), factors, strict=True)
         ],
-        because=r"the factors are $\tfrac{100}{71}$ and $\tfrac{800}{609}$: the stiffness is "
-        "extended by 41 % and the damping by 31 %",
+        because=r"the factors are $\tfrac{100}{71}$ and $\tfrac{800}{609}$: the stiffness range "
+        "is extended by 41 % and the damping range by 31 %",
         places=6,
     )
     _extension(page)
@@ -87,7 +87,7 @@ def _extension(page):
         misprint=False,
         example=at,
         unless=[(at, denial)],
-        shows=r"at $T=1$ ms the range of $\gamma$ grows by the factor $1.408$",
+        shows=r"at $T=1$ ms, the range of $\gamma$ grows by a factor of $1.408$",
         note=r"the ranges are extended by 41\,\% and 31\,\%, which is safe in both cases; the "
         r"statement is true for $\delta$. For shorter periods the ranges have an even larger "
         "margin",
@@ -125,7 +125,8 @@ def periods(page):
         limit,
         Rational("13.225"),
         name="12.6+0.625",
-        because=r"then 13.225 would limit $\delta/T$ in (22), in place of 15.225",
+        because=r"without this row, the limit of $\delta/T$ in (22) would be 13.225 instead of "
+        "15.225",
     )
     page.settle_external(
         "s4c-wider-delta",

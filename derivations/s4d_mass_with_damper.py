@@ -1,7 +1,7 @@
 r"""How large is the stable stiffness of a damped mass without delay?
 
 Without spring and delay, $\gamma=0$ and $d=0$, the characteristic polynomial is a cubic, and its
-stability conditions are explicit. We derive the largest stiffness in closed form, and a bound of
+stability conditions are explicit. We derive the largest stiffness in closed form, and a bound on
 the damping.
 """
 
@@ -43,7 +43,7 @@ def stiffness(page):
     largest = (TOTAL - w) ** 2 / (N_0 * N_1**2)
     page.define("The number $w$ is a square root of the device's coefficients", w, root)
     page.step(
-        "The minor is a positive multiple of the margin minus a square",
+        r"The minor is a positive multiple of $\alpha_{\max}-\alpha$, minus a square",
         (B_1 * B_2 - B_0 * B_3) / 8,
         N_0 * (1 + N_1 * beta) * (largest - alpha)
         - TOTAL * (N_0 * (1 + N_1 * beta) - w) ** 2 / (N_0 * N_1**2),

@@ -35,16 +35,16 @@ def derive(page):
     )
     page.say(
         r"In the coordinates $A$, $b$ of \chapter{s4e_line_error_rises} this wall lies on the ray "
-        r"$b=0.98\,(d+\frac12)A$, at $A=\gamma$. On a ray Jury's minor is concave. At the start of "
-        "the ray the minor is not negative, and hardly larger than the gap. If the minor is "
+        r"$b=0.98\,(d+\frac12)A$, at $A=\gamma$. On a ray Jury's minor is concave. At the start "
+        "of the ray the minor is not negative, and hardly larger than the gap. If the minor is "
         r"negative at $A=\gamma$, it is negative for all stiffer walls of the ray, and the error "
-        "of the boundary is smaller. If the minor is positive, a wall of the boundary with "
-        r"$\alpha$ just above zero has a larger error."
+        "of the boundary is smaller than on the ray. If the minor is positive, a wall of the "
+        r"boundary with $\alpha$ just above zero has a larger error."
     )
     page.lemma(
         "The gap $G$ is at most $\\frac1{32}\\gamma^2\\delta$",
         narrow(),
-        because=r"$G=g\,(n_1+n_0)$, and the bound holds for all arms up to (30)",
+        because=r"here $G=g\,(n_1+n_0)$, and the bound holds for all arms that satisfy (30)",
     )
     found = [
         (rf"\delta\big|_{{d={delay},\ \gamma={name}}}", edge(spring, delay))

@@ -74,14 +74,16 @@ def _grown(point, stiffness, damping):
 def performance(page):
     """Stiffness per mass, and all else in proportion."""
     found = page.lemma(
-        "Stiffness and mass with the same factor have no benefit", with_the_stiffness(STIFFER)
+        "Multiplying stiffness and mass by the same factor has no benefit",
+        with_the_stiffness(STIFFER),
     )
     point = STILL | {K: S.One, B: S.One, HEAVY: S(2), STIFFER: S(2)}
     page.settle(
         "s6-performance",
         found,
         example=point,
-        note="if wall, damper and spring grow with the mass, the motion of the loop is the same",
+        note="if $K$, $B$, $b$ and $k$ are multiplied by the same factor as the mass, the motion "
+        "of the loop is unchanged",
     )
 
 

@@ -113,7 +113,7 @@ def test_the_boundary_beside_the_line_at_its_start_and_for_short_periods():
 
     only(
         agrees,
-        shown(LINE, r"At the start of the boundary $\Delta$ is minus the gap"),
+        shown(LINE, r"At the start of the boundary, the surplus $\Delta$ is minus the gap"),
         shown(LINE, "The initial slope of the boundary is smaller than that of the line"),
     )
 
