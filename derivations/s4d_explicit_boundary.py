@@ -2,7 +2,7 @@ r"""Is there an explicit stability boundary with delay and stiffness?
 
 The paper computes the boundary of the stable region on a grid, since the usual inequalities grow
 with the delay. But the characteristic polynomial is affine in $\alpha$ and $\beta$, so that one
-complex equation on the unit circle gives both coefficients.
+complex equation on the unit circle determines them.
 """
 
 from symhaptic.book.figures.arguments import crossing
@@ -26,10 +26,13 @@ def derive(page):
         name=r"\frac{p_1(z)}{zN(z)}",
         because=r"the polynomial vanishes if $\alpha+\beta(1-1/z)=Q$ with $Q=-z^dA/N$",
     )
-    page.say(r"On the circle, $z=e^{j\theta}$, its real and imaginary part are real equations.")
+    page.say(
+        r"On the circle, $z=e^{j\theta}$, the real and the imaginary part of $p_1=0$ are two "
+        "real equations."
+    )
     stiffness, damping = boundary.solved(on_circle(q))
     page.step(
-        "At each angle one wall solves both equations",
+        "At each angle one wall solves the two equations",
         on_circle(polynomial).subs({alpha: stiffness, beta: damping}),
         S.Zero,
         name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,"
@@ -87,7 +90,8 @@ def derive(page):
         S.Zero,
         d + S.Half,
         name=r"\beta(\theta)/\alpha(\theta)",
-        because="the ratio of damping to stiffness is the delay plus half a period for the hold",
+        because="near the origin, the ratio of damping to stiffness is the delay plus half a "
+        "period for the hold",
     )
     _settled(page)
     _undamped(page)
@@ -103,7 +107,7 @@ def _settled(page):
         because=r"this holds for every device whose $N$ does not vanish at $e^{j\theta}$",
     )
     page.lemma(
-        "For a damped device $N$ does not vanish on the circle",
+        "For a damped device, $N$ does not vanish on the circle",
         numerator_on_circle(),
         because="a held force that is multiplied by $z$ in each period does work",
     )
@@ -122,7 +126,8 @@ def _settled(page):
         "explicit-boundary",
         for_all(arm, given, found),
         example={gamma: S.One, delta: S.One, d: S.One},
-        note="for fractional delays it uses the principal sheet of the paper's substitution",
+        note="for fractional delays, the boundary uses the principal sheet of the paper's "
+        "substitution",
     )
     page.settle_external(
         "s4d-explicit-only-undelayed",
@@ -159,7 +164,7 @@ def _undamped(page):
         because=r"this holds for every real $d$ with $z^d=e^{jd\theta}$, and for $\cos\Omega\ne1$",
     )
     page.step(
-        "A sine gives the damping on the boundary",
+        "The damping on the boundary is a multiple of a sine",
         stiffness + 2 * damping,
         SPRING * second,
         name=r"\alpha(\theta)+2\beta(\theta)",
@@ -218,8 +223,9 @@ def begin(page, stiffness, damping):
 def end(page):
     """The end at theta -> pi, for integer delays."""
     page.say(
-        "At the other end, for integer $d$, stiffness and damping grow without bound. As "
-        r"$\sin(d+1)\theta=(-1)^d\sin(d+1)(\pi-\theta)$, the sum $\alpha+2\beta$ has a limit:"
+        "At the other end of the boundary, for integer $d$, stiffness and damping grow without "
+        r"bound. As $\sin(d+1)\theta=(-1)^d\sin(d+1)(\pi-\theta)$, the sum $\alpha+2\beta$ has a "
+        "limit:"
     )
     per_gamma = (x - cos(theta)) / (1 - x)
     page.limit(
@@ -232,7 +238,7 @@ def end(page):
     )
     per_gamma = per_gamma.subs(x, -1)
     page.step(
-        r"The stiffness stays finite if $\Omega$ is an odd multiple of $\pi$, that is for $x=-1$",
+        r"The stiffness stays finite if $\Omega$ is an odd multiple of $\pi$, that is, for $x=-1$",
         per_gamma * cos(ANGLE) / cos(theta / 2) ** 2,
         -cos(ANGLE),
         name=r"\frac{\alpha}{\gamma}\Big|_{x=-1}",

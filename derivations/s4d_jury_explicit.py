@@ -39,7 +39,8 @@ def derive(page):
     page.lemma(
         "One stiffness makes the minor vanish, with any spring",
         combined(Eq(split, 0), [assume(Eq(alpha + gamma, top / below)), -below]),
-        because="so the boundary needs neither a grid nor a parameter, with a spring as well",
+        because="therefore the boundary requires neither a grid nor a parameter, even with a "
+        "spring",
         boxed=True,
     )
     page.say(
@@ -60,7 +61,8 @@ def derive(page):
         because="the impulse response of the device is positive during the period",
     )
     page.lemma(
-        r"Without spring and delay the minor and two bounds decide stability if $\delta\le\frac13$",
+        "Without spring and delay, the minor and two bounds decide stability if "
+        r"$\delta\le\frac13$",
         stable_damped_mass(),
         because=r"a stable wall has $1+n_1\beta>0$ and $n_0\beta<1$, so that the minor is not "
         r"positive for $\beta\le-\delta$; the remaining half planes follow from these three "

@@ -51,9 +51,9 @@ def derive(page):
     )
     kept = plant.normalised(FULL).transition(t, c)[1, 1].subs(t, 1)
     at_line = loop.characteristic(FULL, split=c).subs({d: 0, alpha: -gamma, beta: 0})
-    page.define("After a period without a force a unit speed becomes $v$", r, kept)
+    page.define("After a period without a force, a unit speed becomes $r$", r, kept)
     page.step(
-        "For $d=0$ the roots are 0, 1 and the speed $v$ after a period",
+        "For $d=0$ the roots are 0, 1 and the speed $r$ after a period",
         at_line,
         z * (z - 1) * (z - r),
         name="p_1(z)",
@@ -64,8 +64,8 @@ def derive(page):
         -2 * delta * v**2,
         name=r"\tfrac{d}{dt}(v^2+\gamma x^2)",
         because="the derivative of $v$ is given by Newton's law. The motion starts with $x=0$ "
-        "and $v=1$ and loses energy, so that its speed after one period is less than 1, "
-        r"except for $\delta=0$ and $\varphi=\pi,2\pi,\ldots$",
+        r"and $v=1$ and loses energy, so that $|r|<1$, except for $\delta=0$ and "
+        r"$\varphi=\pi,2\pi,\ldots$",
     )
     page.step(
         "At the root 1 the derivative of the polynomial is positive",

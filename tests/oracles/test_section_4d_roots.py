@@ -219,6 +219,6 @@ def test_how_fast_a_root_leaves():
 
     only(
         agrees,
-        shown(MARGIN, "With growing delay a root on the circle moves outwards if $w$ is positive"),
+        shown(MARGIN, "With growing delay, a root on the circle moves outwards if $w$ is positive"),
         by=0.15,
     )
