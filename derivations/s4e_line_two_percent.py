@@ -1,8 +1,8 @@
-r"""From which damping on does the error exceed 2 per cent for negative $\beta$?
+r"""Above which damping does the error exceed 2 per cent for negative $\beta$?
 
-From its Fig. 10 the paper reads that the error exceeds 2 per cent for $\delta>0.015$. Near the
-start of the boundary walls with a larger error exist for every damping, since the error is
-unbounded there. This chapter finds the damping from which on walls with $\alpha\ge0$ have such an
+The paper concludes from its Fig. 10 that the error exceeds 2 per cent for $\delta>0.015$. Near the
+start of the boundary, walls with a larger error exist for every damping, since the error is
+unbounded there. This chapter finds the damping above which walls with $\alpha\ge0$ have such an
 error.
 """
 
@@ -21,7 +21,7 @@ HALF, LEVEL = Rational(1, 2), Rational(2, 100)
 
 def derive(page):
     page.say(
-        r"While $\beta\le0$ the error rises along the boundary, and is less than $2\,\%$ "
+        r"As long as $\beta\le0$, the error rises along the boundary and is less than $2\,\%$ "
         r"(\chapter{s4e_line_error_rises}). So some wall with $\alpha\ge0$ has an error below "
         r"$-2\,\%$ if and only if the boundary's wall with $\alpha=0$ has one. We compute the "
         r"damping of a wall with $\alpha=0$ and an error of $-2\,\%$:"
@@ -90,10 +90,10 @@ def papers(page):
         "s4e-two-percent",
         every,
         example={delta: DAMPED},
-        note="the damping 0.015 is not a threshold. Inside (23) walls with such an error exist for "
-        r"every $\gamma\delta>0$, next to the corner at $\alpha=-\gamma$ (linear-error-corner). "
-        r"With $\alpha\ge0$ they exist for $\delta\ge0.01481$ if $d=1$ and for $\delta\ge0.01744$ "
-        "if $d=0$ (linear-two-percent)",
+        note="the damping 0.015 is not a threshold. For every arm of (23) with "
+        r"$\gamma\delta>0$, walls with such an error exist next to the corner at "
+        r"$\alpha=-\gamma$ (linear-error-corner). With $\alpha\ge0$ they exist for "
+        r"$\delta\ge0.01481$ if $d=1$ and for $\delta\ge0.01744$ if $d=0$ (linear-two-percent)",
     )
 
 

@@ -92,8 +92,8 @@ def derive(page):
     found = page.lemma(
         "At each angle one wall has a root",
         boundary_is_explicit(),
-        because="the equation and its conjugate determine two real unknowns; if $M=0$, also $A=0$, "
-        "and no wall moves the root",
+        because="the equation and its conjugate determine two real unknowns; if $M=0$, then "
+        "$A=0$ as well, and no wall moves the root",
     )
     page.state(
         "fractional-boundary",
@@ -143,6 +143,6 @@ def derive(page):
         S.Zero,
         S.Zero,
         name=r"\frac1\theta\Bigl(\frac{Q}{\theta^2}\,e^{-j(\ell+\varepsilon+1/2)\theta}-1\Bigr)",
-        because=r"so the boundary starts with $\beta/\alpha=d+\frac12$. Near the origin the linear "
-        "condition (25) is also right for fractional delays",
+        because=r"therefore the boundary starts with $\beta/\alpha=d+\frac12$. Near the origin, "
+        "the linear condition (25) is also valid for fractional delays",
     )

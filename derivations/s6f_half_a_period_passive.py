@@ -36,7 +36,8 @@ def derive(page):
         value.subs({y: 1, K: 4 * sqrt(5 + B) - 8}),
         S.Zero,
         name=r"f(1)\big|_{K=4\sqrt{5+B}-8}",
-        because="$f$ is zero on the lower part of the boundary; the paper gives $K=1+B$ instead",
+        because="at low frequencies, $f$ is zero on the lower part of the boundary; the paper "
+        "gives $K=1+B$ instead",
     )
     bend, fall, rest = (expand(value).coeff(y, n) for n in (2, 1, 0))
     double = page.step(
