@@ -33,8 +33,7 @@ def derive(page):
     ):
         page.lemma(f"The exponential exceeds {of} bound", theorem)
     found = page.lemma(
-        r"With a lag every stable wall of a free mass satisfies $K(\frac "
-        r"T2+\tau_a)<B$",
+        r"With a lag every stable wall of a free mass satisfies $K(\frac T2+\tau_a)<B$",
         below_the_line(),
         boxed=True,
     )

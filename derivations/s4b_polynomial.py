@@ -107,7 +107,7 @@ def _points(claim, conditions):
 def _scenes(page):
     page.say(
         "A loop without spring, damper, virtual damping or delay has a smaller polynomial. We "
-        "derive it without the missing part and show that it is the limit of the larger polynomial."
+        "derive it and show that it is the limit of the larger polynomial."
     )
     page.say(
         "Under a unit force a free mass moves by half a unit in the first period. With a damper "
@@ -173,9 +173,7 @@ def _scenes(page):
         "Without its spring the other mass is free, too", swings, Omega, S.Zero, still, name="P"
     )
 
-    page.say(
-        "The closed loop of wall and sampled device has one of four characteristic polynomials:"
-    )
+    page.say("The loop of wall and sampled device has one of four characteristic polynomials:")
     a, e, n_1, n_0 = symbols("a e n_1 n_0")
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
     for title, kept, shape in (

@@ -27,16 +27,14 @@ def derive(page):
         because=r"the polynomial vanishes if $\alpha+\beta(1-1/z)=Q$ with $Q=-z^dA/N$",
     )
     page.say(
-        r"On the circle, $z=e^{j\theta}$, the real and the imaginary part of $p_1=0$ are two "
-        "real equations."
+        r"On the circle, $z=e^{j\theta}$, the condition $p_1=0$ consists of two real equations."
     )
     stiffness, damping = boundary.solved(on_circle(q))
     page.step(
         "At each angle one wall solves the two equations",
         on_circle(polynomial).subs({alpha: stiffness, beta: damping}),
         S.Zero,
-        name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,"
-        r"\ \alpha=\Re Q-\beta(1-\cos\theta)}",
+        name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,\ \alpha=\Re Q-\beta(1-\cos\theta)}",
         because=r"this holds for every plant, and for every real $d$ with $z^d=e^{jd\theta}$",
         boxed=True,
     )
@@ -116,10 +114,9 @@ def _settled(page):
     found = add_assum(as_claimed(explicit(), exact), *given)
     page.state(
         "explicit-boundary",
-        "for every spring, damper and delay the walls with a zero at $e^{j\\theta}$, "
-        "$0<\\theta<\\pi$, are $\\beta=\\Im Q/\\sin\\theta$, "
-        "$\\alpha=\\Re Q-\\beta(1-\\cos\\theta)$ with "
-        "$Q=-e^{jd\\theta}A(e^{j\\theta})/N(e^{j\\theta})$",
+        r"for every spring, damper and delay the walls with a zero at $e^{j\theta}$, "
+        r"$0<\theta<\pi$, are $\beta=\Im Q/\sin\theta$, $\alpha=\Re Q-\beta(1-\cos\theta)$ with "
+        r"$Q=-e^{jd\theta}A(e^{j\theta})/N(e^{j\theta})$",
         claim=every(arm, given, explicit()),
     )
     page.settle(
