@@ -47,8 +47,8 @@ def derive(page):
         r"$z=e^{j\theta}$",
     )
     page.lemma(
-        "A filtered wall is passive if and only if it does not pull and the device dissipates "
-        "enough at each angle",
+        "A filtered wall is passive if and only if its stiffness is not negative and the device "
+        "dissipates enough at each angle",
         by_angle(),
         because="the impulse response of the filter decays, so that the energy of a motion is an "
         "integral over its spectrum, as for a wall without a filter",
@@ -63,7 +63,8 @@ def derive(page):
         because="the weights are not negative and their sum is 1",
     )
     found = page.lemma(
-        "A filtered wall that does not pull is passive if and only if it meets both bounds",
+        r"A filtered wall with $K\ge0$ is passive if and only if it meets the bounds at "
+        "frequency zero and at the Nyquist frequency",
         decides(),
         because="a mean of two nonnegative numbers is nonnegative, and the margin comes "
         "arbitrarily close to each of the two values",

@@ -44,8 +44,8 @@ def derive(page):
         r"$z=e^{j\theta}$",
     )
     page.lemma(
-        "A wall with a virtual mass is passive if and only if it does not pull and the device "
-        "dissipates enough at each angle",
+        "A wall with a virtual mass is passive if and only if its stiffness is not negative and "
+        "the device dissipates enough at each angle",
         by_angle(),
     )
     page.step(

@@ -76,10 +76,11 @@ def _below_two(page, found):
     symbols, given, then = taken_apart(page.claim(BOTH))
     exact = [found[id] for id in (SEMI, PLAIN)]
     page.lemma(
-        r"With explicit Euler $KT^2/m=1$, $BT/m=\frac12$ is unstable", escapes(EXPLICIT, POINT)
+        r"With explicit Euler the wall $KT^2/m=1$, $BT/m=\frac12$ is unstable",
+        escapes(EXPLICIT, POINT),
     )
     page.lemma(
-        r"With semi-implicit Euler $KT^2/m=\frac12$, $BT/m=\frac{19}{10}$ is unstable",
+        r"With semi-implicit Euler the wall $KT^2/m=\frac12$, $BT/m=\frac{19}{10}$ is unstable",
         escapes(SEMI_IMPLICIT, EDGE),
     )
     page.settle(
@@ -119,8 +120,8 @@ def _one_mass(page, exact):
         example=POINT | {K: S.Half},
         unless={little: (EDGE, escapes(SEMI_IMPLICIT, EDGE))},
         shows=r"for $m=T=1$ the wall $K=\tfrac12$, $B=\tfrac{19}{10}$ is unstable",
-        note="this holds for semi-implicit Euler; for a device instead of a simulator, no "
-        "stiffness limit proportional to $m/T^2$ guarantees stability "
+        note="the statement holds for semi-implicit Euler; for a device instead of a simulator, "
+        "no stiffness limit proportional to $m/T^2$ guarantees stability "
         r"(\chapter{s8c_four_masses})",
     )
 

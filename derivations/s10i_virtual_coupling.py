@@ -111,7 +111,7 @@ def _masses(page):
         BESIDE,
         found,
         example=(stiff, roots_inside(SPRUNG.at(stiff).terms[0], z, {})),
-        note="this holds for a free mass without delay and damping",
+        note="the statement holds for a free mass without delay and damping",
     )
     light = {m_v: Rational(1, 4), m: S.One, K: Rational(1, 10), T: S.One}
     page.lemma(

@@ -25,10 +25,10 @@ def derive(page):
         because="the forces that the two bodies need for the same motion add up",
     )
     page.say(
-        "This is the polynomial $ms^2+bs+k$ of a single body. Its mass, damping and stiffness are "
-        "the coefficients of $s^2$, $s$ and 1. Without a model of the arm, the external force "
-        "contains the whole action of the arm. The device then keeps its own mass and damping and "
-        "has no spring."
+        "The sum is the polynomial $ms^2+bs+k$ of a single body. Its mass, damping and "
+        "stiffness are the coefficients of $s^2$, $s$ and 1. Without a model of the arm, the "
+        "external force contains the whole action of the arm. The device then keeps its own "
+        "mass and damping and has no spring."
     )
     mass, damping, stiffness = Poly(both, s).all_coeffs()
     page.settle("eq2", Eq(m, mass), Eq(b, damping), Eq(k, stiffness), definition=True)

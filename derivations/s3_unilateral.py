@@ -19,7 +19,7 @@ def derive(page):
         K * (x + p_k) ** 2 / 2 - K * x**2 / 2,
         K * x * p_k + K * p_k**2 / 2,
         name=r"U(x+p)-U(x)",
-        because=r"this slope is the steepest, so that in general $f(x)\,p\ge "
+        because=r"the slope $K$ is the steepest, so that in general $f(x)\,p\ge "
         r"U(x+p)-U(x)-\tfrac12Kp^2$",
     )
     q = symbols("q")

@@ -88,5 +88,5 @@ def _scaled(page):
         example=stiff,
         unless=[(stiff, broken)],
         shows="three times the period leaves a third of the stiffness",
-        note=r"this holds at each angle $\omega T$",
+        note=r"the statement holds at each angle $\omega T$",
     )

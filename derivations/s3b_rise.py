@@ -1,8 +1,8 @@
 r"""Is the envelope the boundary of the passive walls?
 
-Each frequency up to $\pi/(T(d+1))$ gives one point of the envelope. The envelope bounds the passive
-walls if, for a given stiffness, one of these frequencies is stricter than all others. We use
-$\psi=\omega T/2$, $N=2(d+1)$, $u=KT/(2b)$ and $w=(B+KT/2)/b$. The question then reduces to the
+Each frequency up to $\pi/(T(d+1))$ gives one point of the envelope. The envelope bounds the
+passive walls if, for a given stiffness, the condition is strictest at one of these frequencies. We
+use $\psi=\omega T/2$, $N=2(d+1)$, $u=KT/(2b)$ and $w=(B+KT/2)/b$. The question then reduces to the
 signs of functions on $0<N\psi<\pi$ for $N>2$, and we prove each sign.
 """
 
@@ -108,8 +108,8 @@ def _boundary(page):
     page.lemma(
         "A wall of the boundary requires the same damping as the wall of (7) on its ray",
         needed_there(),
-        because="with this damping the boundary wall is passive, and at the angle of the wall of "
-        "(7) it requires no less damping",
+        because="with this damping the boundary wall is passive, and at the angle of the wall "
+        "of (7) it requires at least this damping",
     )
     above = page.lemma(
         "Above the corner each wall of the boundary satisfies (7)",

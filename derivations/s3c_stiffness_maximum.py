@@ -63,7 +63,10 @@ def derive(page):
         "and falls beyond it, for every real $d>0$",
     )
     _stiffest(page, Eq(K, stiffness), Eq(B, damping))
-    page.say("Without delay the largest stiffness is $2b/T$. A delay leaves this share of it:")
+    page.say(
+        "Without delay the largest stiffness is $2b/T$. With a delay, a share of this stiffness "
+        "remains:"
+    )
     share = stiffness / stiffness.subs(d, 0)
     one = page.step(
         r"One period of delay leaves 41\,\% of the stiffness",

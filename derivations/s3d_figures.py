@@ -48,7 +48,7 @@ def derive(page):
         tip[0],
         2 * tan(angle / 2),
         name=r"\frac{K_{\max}T}{b}",
-        because="this is the curve of Fig. 5, which falls with the delay",
+        because="formula (11) is also the curve of Fig. 5, which falls with the delay",
     )
     low = (cos(angle) - d / (d + 1)) / sin(angle)
     page.step(

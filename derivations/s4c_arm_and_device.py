@@ -105,7 +105,7 @@ def _mean(page):
         "arm-mean-ratio",
         for_all((*ARM, gamma, delta, *parts), given, add_assum(weighted(claim), *given)),
         example=PLAIN | ones,
-        note=r"so $\delta/T$ is at most the larger of the two ratios",
+        note=r"therefore $\delta/T$ is at most the larger of the two ratios",
     )
 
 

@@ -19,7 +19,9 @@ STIFFNESS, DAMPING = Rational(710), Rational("15.225")
 
 def derive(page):
     before = (STIFFNESS * LONGEST**2, DAMPING * LONGEST)
-    page.say("At $T=1$ ms the limits (22) are 0.00071 and 0.015225. An extension by 30 % gives:")
+    page.say(
+        "At $T=1$ ms the limits (22) are 0.00071 and 0.015225. We extend these limits by 30 %:"
+    )
     wide = []
     for name, value, plain, text in (
         (gamma, before[0], "0.00071", "0.000923"),
@@ -64,9 +66,9 @@ def derive(page):
     page.settle(
         "fig6",
         conj(*map(fact, page.claim("fig6").of)),
-        note="this holds at $T=1$ ms; the excluded row has $k_H/m_H=6667$ 1/s$^2$ and $b_H/m_H=50$ "
-        r"1/s, but (23) allows 1000 1/s$^2$ and 20 1/s. For the 30\,\% of the caption see "
-        r"\texttt{s4c-extension-30}",
+        note="the statement holds at $T=1$ ms; the excluded row has $k_H/m_H=6667$ 1/s$^2$ and "
+        r"$b_H/m_H=50$ 1/s, but (23) allows 1000 1/s$^2$ and 20 1/s. For the 30\,\% of the "
+        r"caption see \texttt{s4c-extension-30}",
     )
 
 

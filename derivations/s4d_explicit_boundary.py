@@ -35,7 +35,8 @@ def derive(page):
         on_circle(polynomial).subs({alpha: stiffness, beta: damping}),
         S.Zero,
         name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,\ \alpha=\Re Q-\beta(1-\cos\theta)}",
-        because=r"this holds for every plant, and for every real $d$ with $z^d=e^{jd\theta}$",
+        because="the two parts vanish for every plant, and for every real $d$ with "
+        r"$z^d=e^{jd\theta}$",
         boxed=True,
     )
     page.figure(
@@ -102,7 +103,7 @@ def _settled(page):
     exact = page.lemma(
         r"The polynomial has a zero at $e^{j\theta}$ for this wall and for no other",
         zero_on_circle_is_explicit(),
-        because=r"this holds for every device whose $N$ does not vanish at $e^{j\theta}$",
+        because=r"the statement holds for every device whose $N$ does not vanish at $e^{j\theta}$",
     )
     page.lemma(
         "For a damped device, $N$ does not vanish on the circle",
@@ -123,8 +124,7 @@ def _settled(page):
         "explicit-boundary",
         for_all(arm, given, found),
         example={gamma: S.One, delta: S.One, d: S.One},
-        note="for fractional delays, the boundary uses the principal sheet of the paper's "
-        "substitution",
+        note="for fractional delays, the boundary is that of the principal sheet of $z^{-d}$",
     )
     page.settle_external(
         "s4d-explicit-only-undelayed",
@@ -158,7 +158,8 @@ def _undamped(page):
         SPRING * first,
         name=r"\alpha(\theta)",
         boxed=True,
-        because=r"this holds for every real $d$ with $z^d=e^{jd\theta}$, and for $\cos\Omega\ne1$",
+        because=r"the formula holds for every real $d$ with $z^d=e^{jd\theta}$, and for "
+        r"$\cos\Omega\ne1$",
     )
     page.step(
         "The damping on the boundary is a multiple of a sine",
@@ -212,17 +213,16 @@ def begin(page, stiffness, damping):
         up / right,
         d + half - (d + 1) * (2 * d + 1) * (2 * d + 3) / (12 * right),
         name=r"\frac{d\beta}{d\alpha}",
-        because="this holds for every spring and every delay; the two slopes are equal only for "
-        r"a free mass, $x\to1$",
+        because="the inequality holds for every spring and every delay; the two slopes are "
+        r"equal only for a free mass, $x\to1$",
     )
 
 
 def end(page):
     """The end at theta -> pi, for integer delays."""
     page.say(
-        "At the other end of the boundary, for integer $d$, stiffness and damping grow without "
-        r"bound. As $\sin(d+1)\theta=(-1)^d\sin(d+1)(\pi-\theta)$, the sum $\alpha+2\beta$ has a "
-        "limit:"
+        "At the other end, for integer $d$, stiffness and damping grow without bound. As "
+        r"$\sin(d+1)\theta=(-1)^d\sin(d+1)(\pi-\theta)$, the sum $\alpha+2\beta$ has a limit:"
     )
     per_gamma = (x - cos(theta)) / (1 - x)
     page.limit(
@@ -245,5 +245,5 @@ def end(page):
         2 * per_gamma * sin(ANGLE) / sin(theta),
         -sin(ANGLE) / tan(theta / 2),
         name=r"\frac{\alpha+2\beta}{\gamma}\Big|_{x=-1}",
-        because=r"so the boundary ends at $\alpha=(-1)^d\gamma$, $\beta=-\alpha/2$",
+        because=r"therefore the boundary ends at $\alpha=(-1)^d\gamma$, $\beta=-\alpha/2$",
     )

@@ -24,7 +24,7 @@ def derive(page):
     page.lemma(
         r"With a delay, one wall at each angle gives the loop a pole at $e^{j\theta}$",
         zero_on_circle_is_explicit(),
-        because=r"this holds for every device whose $N$ does not vanish at $e^{j\theta}$",
+        because=r"the statement holds for every device whose $N$ does not vanish at $e^{j\theta}$",
     )
     page.say(
         r"The regions are largest with the damping $\delta=0.02$. For this damping we bound the "

@@ -58,15 +58,15 @@ def derive(page):
         (-diff(loose, beta) / diff(loose, z)).subs(beta, 0).subs(z, 1),
         -1,
         name=r"\frac{dz}{d\beta}",
-        because=r"this root is at $z=1$ for $\beta=0$; the other $d+1$ roots are at 0",
+        because=r"the second root is at $z=1$ for $\beta=0$; the other $d+1$ roots are at 0",
     )
     page.step(
         "The first root near 1 moves inside",
         (-diff(polynomial, alpha) / diff(polynomial, z)).subs({alpha: 0, z: 1}),
         -1 / beta,
         name=r"\frac{dz}{d\alpha}",
-        because=r"this root is at $z=1$ for $\alpha=0$. So walls with a small $\beta$ and a much "
-        r"smaller $\alpha$ are stable, and therefore all walls of the region are stable",
+        because=r"the first root is at $z=1$ for $\alpha=0$. So walls with a small $\beta$ and a "
+        r"much smaller $\alpha$ are stable, and therefore all walls of the region are stable",
     )
     page.figure(
         "free_mass",

@@ -122,8 +122,8 @@ def sides(page):
     page.lemma(
         "The slope of $\\tan\\psi/\\psi$ is positive for $0<\\psi<\\pi/2$",
         rises(),
-        because="so with $\\psi=h\\varphi/2$ the stiffness $(d+1)^2\\alpha$ at a given $\\varphi$ "
-        "falls as $d$ grows",
+        because=r"therefore, with $\psi=h\varphi/2$, the stiffness $(d+1)^2\alpha$ at a given "
+        r"$\varphi$ falls as $d$ grows",
     )
 
 

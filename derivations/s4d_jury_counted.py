@@ -40,7 +40,8 @@ def derive(page):
             - n_0 * alpha * (1 + n_1 * beta)
             > 0,
         ),
-        because="this holds for any device; a corresponding theorem holds for each integer delay",
+        because="the statement holds for any device; a corresponding theorem holds for each "
+        "integer delay",
         boxed=True,
     )
     none_is_idle(page, found.conclusion.of[1])

@@ -21,8 +21,8 @@ def derive(page):
     rest = held.transfer.subs(z, 1).subs(gamma, (delta**2 - c**2) / 4)
     page.same("at rest", rest, 4 / (delta**2 - c**2))
     page.say(
-        r"A device with a spring has $P(1)=1/\gamma$, that is $a=1+e-\gamma(n_1+n_0)$. So for "
-        "any device:"
+        r"A device with a spring has $P(1)=1/\gamma$, that is $a=1+e-\gamma(n_1+n_0)$. So one "
+        "half plane bounds the stiffness alone:"
     )
     spring = {a: 1 + e - gamma * RISE}
     one = RISE * (alpha + gamma)

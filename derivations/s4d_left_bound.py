@@ -25,7 +25,7 @@ def derive(page):
         total * gamma,
         (1 - exp(-(delta - c) / 2)) * (1 - exp(-(delta + c) / 2)),
         name=r"\gamma(n_1+n_0)\big|_{c\ge0}",
-        because=r"both factors are positive for $0\le c<\delta$, that is, for $\gamma>0$",
+        because=r"the two factors are positive for $0\le c<\delta$, that is, for $\gamma>0$",
     )
     swinging = (total * gamma).subs(gamma, (delta**2 - c**2) / 4).subs(c, 2 * I * phi)
     page.step(
@@ -72,8 +72,8 @@ def derive(page):
         diff(at_line, z).subs(z, 1),
         1 - r,
         name=r"p_1'(1)",
-        because=r"this derivative and $\partial p_1/\partial\alpha=n_1+n_0$ are positive, so that "
-        r"the root moves inside as $\alpha$ grows",
+        because=r"the derivatives $p_1'(1)$ and $\partial p_1/\partial\alpha=n_1+n_0$ are "
+        r"positive, so that the root moves inside as $\alpha$ grows",
     )
     free = loop.characteristic(Parts(False, False)).subs({d: 0, alpha: 0})
     page.step(

@@ -28,7 +28,7 @@ def derive(page):
         d: S.Zero,
     }
     free = page.lemma(
-        "Without a spring $\\alpha=\\frac{269}{400}$, $\\beta=\\frac{97}{100}$ is stable",
+        r"Without a spring the wall $\alpha=\frac{269}{400}$, $\beta=\frac{97}{100}$ is stable",
         stable_at(wall),
     )
     page.say(

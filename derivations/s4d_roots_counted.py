@@ -67,8 +67,8 @@ def derive(page):
         "The sum of two terms of equal size has the mean phase",
         1 + exp(I * phi),
         2 * cos(phi / 2) * exp(I * phi / 2),
-        because=r"this holds for $\varphi=\Phi-2\pi k$ between $-\pi$ and $\pi$; the integer "
-        r"$k=[\Phi/2\pi]$ is the one nearest to $\Phi/2\pi$",
+        because=r"the equality is used for $\varphi=\Phi-2\pi k$ between $-\pi$ and $\pi$; the "
+        r"integer $k=[\Phi/2\pi]$ is the one nearest to $\Phi/2\pi$",
     )
     page.say(
         "Where $g$ begins to dominate, the change of argument of $p_1$ differs from that of $f$ "

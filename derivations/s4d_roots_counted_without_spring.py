@@ -24,7 +24,7 @@ def derive(page):
     lead = -((alpha * (n_1 + n_0)) ** 2)
     page.step("At $z=1$ the wall dominates", surplus(S.Zero), lead, name="F(0)")
     page.step(
-        "At $z=-1$ both terms are real",
+        "At $z=-1$ the terms of plant and wall are real",
         surplus(4),
         (2 * (1 + e)) ** 2 - ((n_1 - n_0) * (alpha + 2 * beta)) ** 2,
         name="F(4)",

@@ -12,9 +12,10 @@ from symhaptic.book.lemmas.stability import stable_at, unstable_at
 
 def derive(page):
     page.say(
-        "Let $h=-NW/A$. A root is a point where $z^{d+1}=h(z)$, and in this equation the delay may "
-        r"be any real number (principal sheet). The root moves with the delay by $(d+1)\ln z=\ln "
-        r"h$. With $u+jw=z\,h'/h$ at $z=e^{j\theta}$:"
+        "Let $h=-NW/A$. A root is a point where $z^{d+1}=h(z)$, and in this equation the delay "
+        r"may be any real number (principal sheet). The root moves with the delay by $(d+1)\ln "
+        r"z=\ln h$. Let $u+jw=z\,h'/h$ at $z=e^{j\theta}$; the imaginary part determines the "
+        "direction of the root:"
     )
     page.step(
         "With growing delay, a root on the circle moves outwards if $w$ is positive",

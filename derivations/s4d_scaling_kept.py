@@ -153,7 +153,7 @@ def all_scaled(page):
     page.lemma(
         "Stability does not change if all parameters are scaled with half the period",
         numbers_known(inst(with_the_rate(STIFFER, STRONGER), {y: S(2)})),
-        because="this holds for every delay in periods",
+        because="the statement holds for every delay in periods",
     )
     heavier = inst(with_the_mass(STIFFER, STRONGER), {HEAVY: 2 * m})
     page.lemma(

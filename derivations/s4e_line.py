@@ -56,7 +56,7 @@ def derive(page):
         S.Zero,
         theta**2 * s_2,
         name=r"\alpha(h)/h^2",
-        because=r"$s_2\to1$, so that $\alpha\approx\theta^2$",
+        because=r"for short periods $s_2\to1$, so that $\alpha\approx\theta^2$",
     ).subs(s_2, 1)
     flat, rise = 6 * (d + 1) ** 2 + 1, (d + 1) * (2 * d + 1) * (2 * d + 3)
     apart = theta**2 * (rise * theta**2 - flat * delta) / 12
@@ -128,8 +128,8 @@ def periods(page):
         S.Zero,
         S.One,
         name="n_1(h)+n_0(h)",
-        because=r"so $s_2\to1$, as $s_1\to0$. The gap is $\frac1{720}\delta\gamma^2$ to lowest "
-        r"order (\chapter{s4d_explicit_boundary_ends})",
+        because=r"therefore $s_2\to1$, as $s_1\to0$. The gap is $\frac1{720}\delta\gamma^2$ to "
+        r"lowest order (\chapter{s4d_explicit_boundary_ends})",
     )
     return {
         theta: h * theta,

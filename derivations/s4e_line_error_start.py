@@ -119,7 +119,7 @@ def unbounded_there(page):
         "linear-error-start",
         no_error,
         example={gamma: S.One, delta: S.One, d: S.Zero},
-        note="so the error exceeds every bound; it is bounded for $\\gamma=0$ or $\\delta=0$",
+        note=r"the error is unbounded, except for $\gamma=0$ or $\delta=0$",
     )
 
 

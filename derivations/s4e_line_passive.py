@@ -34,7 +34,7 @@ def derive(page):
         "With $t_d=dT$ the margin of (24) is that of (9) at low frequencies",
         b + B - K * t_e,
         low,
-        because="both margins depend on the effective delay $t_e$ only",
+        because="the two margins depend on the effective delay $t_e$ only",
     )
     both = taken_apart(page.claim("s4e-same-as-passive"))[2]
     page.settle(
@@ -62,9 +62,9 @@ def derive(page):
         (low * T / m).subs(scaled),
         linear.surplus(),
         name=r"\tfrac TmF|_{\theta\to0}",
-        because=r"here $\delta=b_DT/m$. By \chapter{s3c_linear_part_condition} the low frequencies "
-        r"are the strictest for integer $d$, $\alpha\ge0$ and $-\delta\le\beta\le\frac "
-        r"d{2d+3}\delta$",
+        because=r"here $\delta=b_DT/m$. By \chapter{s3c_linear_part_condition}, the condition is "
+        r"strictest at low frequencies for integer $d$, $\alpha\ge0$ and "
+        r"$-\delta\le\beta\le\frac d{2d+3}\delta$",
     )
     in_its_range(page)
     page.settle_external(
@@ -106,9 +106,9 @@ def in_its_range(page):
         ],
         shows="for an undamped device in an arm with $b_H=1$, the wall $K=T=1$, $B=d=0$ "
         "satisfies (24) and delivers energy",
-        note="this also holds with equality in (25). Passive walls are stable with every spring, "
-        r"so here (25) is safe for every $\gamma\ge0$. For fractional $d$ no wall on the border is "
-        "passive",
+        note="the statement also holds with equality in (25). Passive walls are stable with "
+        r"every spring, so here (25) is safe for every $\gamma\ge0$. For fractional $d$ no wall "
+        "on the border is passive",
     )
 
 

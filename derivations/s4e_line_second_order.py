@@ -80,6 +80,6 @@ def order_of_period(page):
         "linear-short-periods",
         all_tend(),
         example=easy,
-        note="both sides of (24) are of order 1 on the boundary, so that the relative error is of "
-        "order $T$",
+        note="the two sides of (24) are of order 1 on the boundary, so that the relative error "
+        "is of order $T$",
     )

@@ -53,5 +53,6 @@ def derive(page):
         "linear-safe",
         theorem,
         example=arm | wall,
-        note=r"this holds for walls up to the damping $\beta_\times$ of the only crossing",
+        note=r"the statement holds for walls up to the damping $\beta_\times$ of the only "
+        "crossing",
     )

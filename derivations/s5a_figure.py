@@ -80,7 +80,7 @@ def _settled(page):
     page.lemma(
         "A wall that no boundary separates from a stable wall is stable",
         enclosed_walls_are_stable(),
-        because="this holds for integer delays, as in Fig. 9",
+        because="the statement holds for integer delays, as in Fig. 9",
     )
     page.lemma(
         "A passive wall is stable with a damped device with a spring, for every delay",

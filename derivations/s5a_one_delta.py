@@ -69,8 +69,9 @@ def derive(page):
     page.lemma(
         "A wall with $K>0$ that meets (5) with the damping of the device is stable with every arm",
         stays_stable(),
-        because="such a wall also satisfies (5) with the damping of device and arm together, "
-        "which is larger. Every wall that satisfies this condition is stable with every spring",
+        because="a wall that meets (5) with the damping of the device also satisfies (5) with "
+        "the larger damping of device and arm together. Every wall that satisfies this "
+        "condition is stable with every spring",
     )
     page.lemma(
         "With every arm some stable wall is at least $1+b_H/b_D$ times as stiff as all passive "

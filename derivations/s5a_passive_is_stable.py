@@ -86,8 +86,9 @@ def derive(page):
 
 def _subset(page):
     page.say(
-        "This is the proof for integer delays, for which (5) and (18) are exact. For other delays "
-        r"the proof uses the held force itself, as in \chapter{s6e_fractional_passive_is_stable}."
+        "The argument above is the proof for integer delays, for which (5) and (18) are exact. "
+        "For other delays the proof uses the held force itself, as in "
+        r"\chapter{s6e_fractional_passive_is_stable}."
     )
     exact, computed = page.claim("s5a-subset").of
     arm = {gamma: STIFF, delta: DAMPED}

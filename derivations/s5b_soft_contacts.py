@@ -48,8 +48,8 @@ def derive(page):
     )
     page.say(
         "Other walls may become unstable, because the virtual damper alone may be unstable with "
-        "the delay. For the arms of (23), a wall becomes unstable only with long delays, such "
-        r"as $d=150$ with $\gamma=0.001$, $\delta=0.02$ and $\beta=0.0252$:"
+        "the delay. For the arms of (23), this instability occurs with long delays, such as "
+        r"$d=150$ with $\gamma=0.001$, $\delta=0.02$ and $\beta=0.0252$:"
     )
     arm = {gamma: Rational(1, 1000), delta: Rational(1, 50), beta: Rational("0.0252"), d: S(150)}
     soft = {**arm, alpha: Rational(1, 5000), y: S.Zero}

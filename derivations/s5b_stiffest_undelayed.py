@@ -109,7 +109,7 @@ def ratio(page):
         example={gamma: S.Zero, delta: end},
         enclosed=True,
         value=(ratios[0], over(S.One, ratios[0])),
-        note="both statements hold on all of (23); the numbers are those of its corner "
+        note="the two statements hold on all of (23); the numbers are those of its corner "
         r"$\gamma=0.001$, $\delta=0.02$. They assume the same $\delta$ for passivity and "
         r"stability; for a device with an arm, see \texttt{one-delta}",
     )

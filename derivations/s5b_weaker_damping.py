@@ -47,7 +47,7 @@ def derive(page):
     page.lemma(
         "At $d=200$, $\\delta=0.01$ the stable walls have $\\alpha<0.00007843$",
         none_above((FAR[gamma], FAR[delta]), 200)[1],
-        because="this follows from the inequality at one point of the circle "
+        because="the bound follows from the inequality at one point of the circle "
         r"(\chapter{s5b_stiffest_wall})",
     )
     then = taken_apart(page.claim("s5a-smaller-delta"))[2]

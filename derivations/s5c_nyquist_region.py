@@ -90,8 +90,8 @@ def derive(page):
     page.settle(
         "s5c-shape",
         other_shape_and_size(),
-        note=r"this is proved for $d=0$ only: a region below an arc, up to $\alpha=0.71$ and "
-        r"$\beta=2$, becomes a triangle with corners at $\beta=\pm\pi^2/2$",
+        note="the statement is proved for $d=0$ only: a region below an arc, up to "
+        r"$\alpha=0.71$ and $\beta=2$, becomes a triangle with corners at $\beta=\pm\pi^2/2$",
     )
     page.settle(
         "s5c-delta-hardly-visible",
@@ -100,6 +100,6 @@ def derive(page):
             hardly_moved(),
         ),
         enclosed=True,
-        note="this is proved for $d=0$ and the stiffest of the 41 springs only; the other curves "
-        "are undecided",
+        note="the statement is proved for $d=0$ and the stiffest of the 41 springs only; the "
+        "other curves are undecided",
     )

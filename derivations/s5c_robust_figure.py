@@ -19,8 +19,8 @@ def derive(page):
     page.say(
         r"We use the notation of \chapter{s5c_robust}. A little damping moves the plant's roots "
         r"$e^{\pm j\Omega}$ inside by $\delta/2$. A wall of small gain also moves them, by the "
-        "quotient of the wall's part of the polynomial and the derivative of the plant's part. At "
-        r"$\theta=\Omega$:"
+        "quotient of the wall's part of the polynomial and the derivative of the plant's part. "
+        r"At $\theta=\Omega$ the motion of the root is proportional to one number:"
     )
     page.step(
         "The wall moves a root outwards by a multiple of the required damping",

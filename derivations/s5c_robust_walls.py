@@ -53,7 +53,7 @@ def derive(page):
         rf"With $\gamma={float(softest(1, DAMPED))}$ and $d=1$ every stable wall has "
         rf"$\alpha<{float(limit)}$",
         bound,
-        because="this follows from the inequality at one point of the circle "
+        because="the bound follows from the inequality at one point of the circle "
         r"(\chapter{s5b_stiffest_wall})",
     )
     rows = [[n, *ends] for n, ends in CONSERVATIVE.items()]
@@ -82,15 +82,16 @@ def changes(page):
     page.settle(
         "s5c-robust-shrinks",
         shrinks(),
-        note=r"this is proved for the largest stiffness, $\delta=0.02$ and the integer delays 0 to "
-        r"8; for the regions as sets of walls it is undecided (\texttt{s5c-robust-shrinks-sets})",
+        note=r"the statement is proved for the largest stiffness, $\delta=0.02$ and the integer "
+        "delays 0 to 8; for the regions as sets of walls it is undecided "
+        r"(\texttt{s5c-robust-shrinks-sets})",
     )
     dampers = ", ".join(f"{float(v):g}" for v in (Rational(1, 200), Rational(1, 100), DAMPED))
     page.settle(
         "s5c-robust-grows",
         grows(),
-        note=rf"this is proved for the largest stiffness, for $\delta$ of {dampers} and the "
-        "integer delays of Fig. 11; for the regions as sets of walls it is undecided "
+        note=rf"the statement is proved for the largest stiffness, for $\delta$ of {dampers} and "
+        "the integer delays of Fig. 11; for the regions as sets of walls it is undecided "
         r"(\texttt{s5c-robust-grows-sets})",
     )
 

@@ -38,6 +38,7 @@ def derive(page):
         one_period(),
         example={gamma: S.Zero, delta: S.Zero},
         enclosed=True,
-        note=r"this is proved for all of (23). For $\gamma=0.001$, $\delta=0.02$ the share is "
-        r"$0.216547\ldots$, which rounds to 22\,\%; for a free mass it is $0.210507\ldots$",
+        note=r"the statement is proved for all of (23). For $\gamma=0.001$, $\delta=0.02$ the "
+        r"share is $0.216547\ldots$, which rounds to 22\,\%; for a free mass it is "
+        r"$0.210507\ldots$",
     )

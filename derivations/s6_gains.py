@@ -81,9 +81,9 @@ def settled(page):
         unless={SLOW: (SOON, much(then.at(SOON)), not_slow())},
         shows=r"at $d=1$, where the delay is twice the half period of the hold, sampling a hundred "
         r"times as fast gives a free mass more than 3.7 times the stable stiffness",
-        note="this holds for integer delays and ratios of rates, if a quarter is a significant "
-        "gain. The largest passive stiffness of every device grows by a factor of at most $1+1/d$ "
-        r"(\texttt{faster-sampling}). For stable walls other delays are undecided",
+        note="the statement holds for integer delays and ratios of rates, if a quarter is a "
+        "significant gain. The largest passive stiffness of every device grows by a factor of "
+        r"at most $1+1/d$ (\texttt{faster-sampling}). For stable walls other delays are undecided",
     )
 
 

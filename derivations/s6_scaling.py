@@ -94,12 +94,14 @@ def light(page):
         "shrink by the factor $(m_D+ym_H)/(m_D+m_H)$ if only the share $y$ of the arm's mass is "
         "added:"
     )
-    found = page.lemma("This factor is larger for a heavier device", lighter_hands())
+    found = page.lemma(
+        "The factor $(m_D+ym_H)/(m_D+m_H)$ is larger for a heavier device", lighter_hands()
+    )
     page.settle(
         "s6-light-device",
         found,
-        note="this is proved for devices without damper and spring, whose stable walls are "
-        "proportional to the mass; which mass is sensible is a matter of judgement",
+        note="the statement is proved for devices without damper and spring, whose stable walls "
+        "are proportional to the mass; which mass is sensible is a matter of judgement",
     )
 
 

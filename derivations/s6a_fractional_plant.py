@@ -85,7 +85,7 @@ def derive(page):
         because=r"therefore $P(1)=1/\gamma$, and $\varepsilon=1$ gives one more factor $z^{-1}$",
     )
     free = fractional.late(plant.normalised(Parts(stiffness=False, damping=False)))
-    page.say("For a free mass, $\\gamma=\\delta=0$:")
+    page.say(r"For a free mass, $\gamma=\delta=0$, the coefficients are quadratic in the fraction:")
     numbers = [(m_2, rest**2 / 2), (m_1, (1 + 2 * epsilon - 2 * epsilon**2) / 2)]
     numbers.append((m_0, epsilon**2 / 2))
     for (name, value), derived in zip(numbers, (free.m2, free.m1, free.m0), strict=True):

@@ -73,7 +73,8 @@ def derive(page):
         S.Zero,
         name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,"
         r"\ \alpha=\Re Q-\beta(1-\cos\theta)}",
-        because=r"this holds for every plant, every integer $\ell$ and every $\varepsilon$",
+        because=r"the solution holds for every plant, every integer $\ell$ and every "
+        r"$\varepsilon$",
     )
     at_one = Eq(polynomial.subs(z, 1), (n_1 + n_0) * (alpha + gamma))
     total = numbers_of_a_late_device()[0]

@@ -104,7 +104,8 @@ def derive(page):
         "of degree $n$ with all roots inside increases along the circle at a rate of more than "
         r"$\frac n2$. At this root $p_1=-(1-y)z^{\ell+2}A/y$, and the phase of $p_1$ rises by "
         r"$(\ell+3-(1+w)/y)/(1-1/y)$, where $w$ is the rate for $zW$. So "
-        r"$w>\frac12(\ell+2)(1+y)$, which is nearly $\ell+2$. This contradicts the next step:"
+        r"$w>\frac12(\ell+2)(1+y)$, which is nearly $\ell+2$. The next step contradicts this "
+        "inequality:"
     )
     needed = {
         alpha: (sin((l + 2) * theta) - sin((l + 1) * theta)) / sin(theta),
