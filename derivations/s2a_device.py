@@ -41,8 +41,8 @@ def derive(page):
         "The arm's forces can be counted as external",
         both * x - F_E,
         device * x - (F_E - arm * x),
-        because="for the common motion, left and right side vanish, and the last bracket is the "
-        "force on the device alone",
+        because="for the common motion, the left and the right side vanish, and the last "
+        "bracket is the force on the device alone",
     )
     _settle(page)
 

@@ -35,7 +35,7 @@ def derive(page):
         r"displacement, $b/T+\Re\{H/(z-1)\}$."
     )
     page.step(
-        "On the unit circle, $1/(z-1)$ has a real denominator",
+        "On the unit circle, $1/(z-1)$ can be written with a real denominator",
         passivity.on_circle(1 / (z - 1)),
         (exp(-I * theta) - 1) / (2 - 2 * cos(theta)),
         because=r"here $z=e^{j\theta}$ has the angle $\theta=\omega T$",

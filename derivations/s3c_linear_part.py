@@ -39,9 +39,9 @@ def derive(page):
         name=B,
     )
     page.say(
-        r"By \chapter{s3b_rise}, the condition is strictest in this limit for the walls between "
-        "$(0,-b)$ and the end of the envelope. So the line bounds the walls of (5) for every "
-        r"real $d\ge0$. In (8), a parameter $y$ grows from 0 to 1 along the line."
+        r"By \chapter{s3b_rise}, the condition is strictest for $\theta\to0$ for the walls "
+        "between $(0,-b)$ and the end of the envelope. So the line bounds the walls of (5) for "
+        r"every real $d\ge0$. In (8), a parameter $y$ grows from 0 to 1 along the line."
     )
     on_line = {K: end_stiffness * y, B: (end_damping + b) * y - b}
     page.step(

@@ -50,11 +50,11 @@ def derive(page):
         "two parts",
     )
     page.say(
-        r"Damper and wall absorb the form in $p$ and $q$ of \chapter{s6d_fractional_passivity}. "
-        "For this motion the form is negative: equality would require a constant speed at all "
-        "times, that is, $z=1$. (For $p=q=0$ the device is at rest.) But for a passive wall the "
-        "form is not negative at any angle. The condition is concave in the scale $y$ of a wall "
-        "$yW$:"
+        "The energy that damper and wall absorb is the form in $p$ and $q$ of "
+        r"\chapter{s6d_fractional_passivity}. So this form is negative for this motion: equality "
+        "would require a constant speed at all times, that is, $z=1$. (For $p=q=0$ the device "
+        "is at rest.) But for a passive wall the form is not negative at any angle. The "
+        "condition is concave in the scale $y$ of a wall $yW$:"
     )
     margin, whole, part = delta**2 - delta * x - w / 4, x, y
     page.step(

@@ -70,9 +70,9 @@ def derive(page):
     found = page.lemma(
         "A delay that is rounded up to an integer is safe",
         safe_when_rounded_up(),
-        because=r"the last three steps prove $f\ge0$ for $K>0$. For $K=0$ the passive values of "
-        "$B$ begin at $-b$ with every delay. They end at $b$ with the next integer delay, and "
-        "not below $b$ with a fractional one",
+        because=r"the previous three steps prove $f\ge0$ for $K>0$. For $K=0$ the passive values "
+        "of $B$ begin at $-b$ with every delay. They end at $b$ with the next integer delay, "
+        "and not below $b$ with a fractional one",
         boxed=True,
     )
     page.state(
