@@ -10,9 +10,9 @@ from symhaptic.book.lemmas.prelude import *
 
 def derive(page):
     page.say(
-        "Let the spring force $f(x)$ have a slope between 0 and $K$, as a unilateral spring has. "
-        "Let $U$ be its energy. In one step $U$ grows by at most the initial force times the step, "
-        "plus a term that the slope causes:"
+        "Let the spring force $f(x)$ have a slope between 0 and $K$, as a unilateral spring "
+        "has. Let $U$ be its energy. In one step, $U$ grows by at most the initial force times "
+        "the step, plus a term that the slope causes:"
     )
     page.step(
         "A spring of constant slope $K$ gains the most energy",

@@ -34,11 +34,11 @@ def derive(page):
         "at the roots of $G$."
     )
     page.say(
-        "Conversely, let all $m$ roots of $F$ or of $G$ have these properties, and let $p(1)>0$, "
-        "and for odd $n$ also $G(2)>0$. The argument starts at 0, crosses the axis $m$ times in "
-        r"the positive direction and ends on an axis: at $m\pi$ for even $n$ and at "
-        r"$m\pi+\frac\pi2$ for odd $n$. Both angles are $n\pi/2$, so $p$ encircles the origin $n$ "
-        "times on the full circle, and all roots lie inside."
+        "Conversely, let all $m$ roots of $F$ or of $G$ have these properties, and let "
+        "$p(1)>0$, and for odd $n$ also $G(2)>0$. The argument of $p$ starts at 0, crosses the "
+        r"axis $m$ times in the positive direction and ends on an axis: at $m\pi$ for even $n$ "
+        r"and at $m\pi+\frac\pi2$ for odd $n$. Both angles are $n\pi/2$, so $p$ encircles the "
+        "origin $n$ times on the full circle, and all roots lie inside."
     )
     page.say(
         "A symmetric matrix $B$ of order $m$ decides whether the roots are real, simple and "

@@ -32,9 +32,9 @@ def derive(page):
         d: S.Zero,
     }
     page.say(
-        "If the region reaches this point, the point is its lower left corner. A wall just above "
-        "the corner for $d=1$ lies below the corner for $d=0$. Inside the ranges (23), take "
-        r"$\gamma=0.001$, $\delta=0.01$, $\alpha=-0.0009$, $\beta=-0.011$:"
+        "If the region reaches this point, the point is its lower left corner. A wall just "
+        "above the corner for $d=1$ lies below the corner for $d=0$. For an arm in the ranges "
+        r"(23), take $\gamma=0.001$, $\delta=0.01$, $\alpha=-0.0009$, $\beta=-0.011$:"
     )
     page.lemma(
         r"With one period of delay the wall $\alpha=-0.0009$, $\beta=-0.011$ is stable",

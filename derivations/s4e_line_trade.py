@@ -48,10 +48,10 @@ def derive(page):
         r"0.6\,\% for $d=0$ and by 2\,\% for $d=1$",
     )
     page.say(
-        "The difference matters even for walls at which the linear condition is accurate to a few "
-        r"percent. Take $d=1$, $\gamma=0.001$ and the wall $\alpha=0.01$ with "
-        r"$\beta+\delta=0.015$, on the line of (25). With physical damping this wall is stable, "
-        "and with virtual damping alone it is not:"
+        "The difference between the dampings matters even for walls at which the linear "
+        r"condition is accurate to a few percent. Take $d=1$, $\gamma=0.001$ and the wall "
+        r"$\alpha=0.01$ with $\beta+\delta=0.015$, on the line of (25). With physical damping "
+        "this wall is stable, and with virtual damping alone it is not:"
     )
     wall = {alpha: Rational(1, 100), gamma: Rational(1, 1000), d: S.One}
     physical = {**wall, beta: -Rational(1, 200), delta: Rational(1, 50)}

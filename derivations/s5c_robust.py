@@ -39,9 +39,9 @@ def derive(page):
     )
     page.say(
         r"Each zero $a$ of a polynomial $p$ adds $z/(z-a)$ to $zp'/p$, and more than $\tfrac12$ "
-        "to its real part if $|a|<1=|z|$. So if all $d+3$ zeros of $p_1$ lie inside, "
-        r"$2\Re(zp_1'\bar p_1)>(d+3)|p_1|^2$ on the circle. Consider the angle at which the "
-        "denominator of the plant vanishes:"
+        "to its real part if $|a|<1=|z|$. So, if all $d+3$ zeros of $p_1$ lie inside the "
+        r"circle, $2\Re(zp_1'\bar p_1)>(d+3)|p_1|^2$ holds on the circle. Consider the angle at "
+        "which the denominator of the plant vanishes:"
     )
     value, speed = (on_circle(e, Omega) for e in (whole, z * diff(whole, z)))
     back, slowed = (e.xreplace({I: -I}) for e in (value, speed))
