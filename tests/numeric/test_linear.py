@@ -8,7 +8,7 @@ from symhaptic import linear_limit
 
 def test_is_the_equality_of_25():
     beta, delta, delay = np.array([-0.01, 0.0, 0.3]), 0.02, np.array([0.0, 0.5, 7.0])
-    alpha = linear_limit(beta, delta, delay)
+    alpha = linear_limit(beta=beta, delta=delta, delay=delay)
     assert alpha * (0.5 + delay) == pytest.approx(beta + delta)
 
 
