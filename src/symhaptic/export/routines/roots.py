@@ -247,7 +247,8 @@ def phase_turns(point, loop, precision):
     half = do("half", atan2(sqrt(choose(high, rest, y)), sqrt(choose(high, y, rest))))
     late = do("late", d + 2)
     halves = do("halves", above.halves + force.halves - below.halves - choose(high, late, 0))
-    turned = above.rest + force.rest - below.rest - late * choose(high, -2 * half, 2 * half)
+    around = do("around", late * choose(high, -2 * half, 2 * half))
+    turned = above.rest + force.rest - below.rest - around
     share = do("share", turned / (2 * pi))
     even = do("even", floor(halves / 2))
     left = do("left", halves / 2 - even)
@@ -631,7 +632,8 @@ def piece_turns(terms, low, high, at_low, at_high, zone, loop, precision):
     point = _point(x, zone, unit(precision))
     inner = And(point[0] > 0, point[1] > 0)
     found = do("found", phase_turns(point, LOOP))
-    rises = do("rises", choose(at_high > at_low, 1, -1) * choose(Eq(zone, FAR), -1, 1))
+    up = do("up", choose(at_high > at_low, 1, -1))
+    rises = do("rises", choose(Eq(zone, FAR), -up, up))
     return choose(there, choose(inner, -2 * rises * found, sp.nan), 0)
 
 
@@ -658,7 +660,8 @@ def cubic_root(terms, low, high, rise, precision):
     }
 
     def mean(begin, end):
-        size = do("size", sqrt(Abs(begin)) * sqrt(Max(Abs(end), least)))
+        more = do("more", Max(Abs(end), least))
+        size = do("size", sqrt(Abs(begin)) * sqrt(more))
         at = do("at", choose(begin < 0, -size, size))
         outside = do("outside", choose(convex * _value(terms, at) > 0, 1, 0)) > 0
         return choose(outside, at, begin), choose(outside, end, at)
