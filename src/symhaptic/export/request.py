@@ -31,6 +31,8 @@ TITLE = "Passivity and stability of haptic walls"
 LISTING = "FILES"
 """Name of the file that lists all files of an export: only these may be replaced."""
 
+LISTED = "`symhaptic export --list` lists all"
+
 _LONGEST = 6
 """Periods up to which a polynomial is written out."""
 
@@ -141,9 +143,7 @@ def _by_name(name: str, parts: Parts, delay: int | None) -> Form:
     if re.fullmatch(r"eq([1-9]|[12]\d|3[01])", own):
         raise Refused(f"FORMULA: {stable.without_form(own)}")
     if own not in stable.FORMS:
-        close = suggested(
-            name, [*stable.FORMS, MARGIN, *known], "`symhaptic export --list` lists all"
-        )
+        close = suggested(name, [*stable.FORMS, MARGIN, *known], LISTED)
         raise Refused(f"FORMULA: {name!r} has no stable form; {close}")
     with _refused("FORMULA"):
         return stable.form(own, parts, delay)

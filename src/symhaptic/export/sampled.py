@@ -61,8 +61,9 @@ def delay_margin(stable: Form) -> Form:
     ((_, verdict),) = stable.results
     loop = (s if s in stable.arguments else sp.S.Zero for s in LOOP)
     title = (
-        "delay that may be added before a root reaches the unit circle, in periods, rounded down; "
-        "0 if the loop is not certainly stable, infinite if it is at every delay, NaN if unknown"
+        "delay that may be added before a root reaches the unit circle, rounded down; 0 if the "
+        "loop is not certainly stable, infinite if no delay makes it unstable, NaN if unknown (C "
+        "only)"
     )
     added = (("added", DelayMargin(verdict, *loop)),)
     return replace(stable, name=MARGIN, title=title, results=added, outside=sp.nan)
