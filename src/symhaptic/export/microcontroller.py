@@ -179,8 +179,8 @@ def _of(expr: sp.Basic, known: dict[str, Counter[str]]) -> Counter[str]:
     choice takes one of its sides.
 
     >>> x, y = sp.symbols("x y")
-    >>> sorted(_of((x + y) ** 2, {}).items())
-    [('additions', 2), ('products', 1)]
+    >>> _of((x + y) ** 2, {})["additions"]
+    2
     """
     if isinstance(expr, sp.Piecewise):
         asked = sum((_of(c, known) for _, c in expr.args), Counter())
