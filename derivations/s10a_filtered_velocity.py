@@ -30,7 +30,7 @@ def derive(page):
         K + B / T * in_z(DIFFERENCE.times(exponential_average(f_v))),
     )
     page.step(
-        "The filter takes the place of the sample before",
+        "The filter moves the pole of the wall from 0 to $f_v$",
         wall,
         K + B * (1 - f_v) * (z - 1) / (T * (z - f_v)),
         name="H(z)",
@@ -43,11 +43,12 @@ def derive(page):
         -T * (lag + lag.subs(I, -I)) / 2,
         b - MARGIN.right,
         name=r"b_{\min}(\theta)",
-        because="by the balance of energy, $-T\\,\\Re\\{H/(z-1)\\}$ at $z=e^{j\\theta}$",
+        because=r"by the balance of energy the required damping is $-T\,\Re\{H/(z-1)\}$ at "
+        r"$z=e^{j\theta}$",
     )
     page.lemma(
-        "A filtered wall is passive if and only if it does not pull and the damper burns enough at "
-        "each angle",
+        "A filtered wall is passive if and only if it does not pull and the device dissipates "
+        "enough at each angle",
         by_angle(),
         because="the impulse response of the filter decays, so that the energy of a motion is an "
         "integral over its spectrum, as for a wall without a filter",
@@ -55,7 +56,8 @@ def derive(page):
     slow, fast = b - SLOW.left, b - FAST.left
     weight = (1 - f_v) ** 2 * (1 + cos(theta)) / (2 * (1 - 2 * f_v * cos(theta) + f_v**2))
     page.step(
-        "The margin is a mean of its values at slow motions and at Nyquist's frequency",
+        "The margin is a weighted mean of its values at frequency zero and at the Nyquist "
+        "frequency",
         MARGIN.right,
         weight * slow + (1 - weight) * fast,
         because="the weights are not negative and their sum is 1",
@@ -64,7 +66,7 @@ def derive(page):
         "A filtered wall that does not pull is passive if and only if it meets both bounds",
         decides(),
         because="a mean of two numbers that are not negative is not negative; and the margin comes "
-        "arbitrarily close to both",
+        "arbitrarily close to both numbers",
         boxed=True,
     )
     easy = {K: S.One, B: S.One, b: S.One, T: S.One, f_v: S.Half}
@@ -72,15 +74,15 @@ def derive(page):
         FILTERED,
         found,
         example=easy,
-        note="exact for this loop without delay, with the walls on both borders. The first bound "
-        "is stricter for $B>0$ and the second for $B<0$; no filter relaxes the second. With a "
-        "delay (4) decides",
+        note="the bounds are exact for this loop without delay, including walls on the bounds. The "
+        "first bound is stricter for $B>0$ and the second for $B<0$; no filter relaxes the second "
+        "bound. With a delay, condition (4) decides",
     )
     page.say(
         "The filter removes the virtual damper at high frequencies, where sampling makes it "
-        "active. With $f_v=0.9$ only a nineteenth of $B$ remains in the second bound. This "
+        "active. With $f_v=0.9$ only a nineteenth of $B$ remains in the first bound. This result "
         "concerns passivity. The same filter reduces the stable stiffness of a light device, see "
-        "\\chapter{s10f_filtered_mass}."
+        r"\chapter{s10f_filtered_mass}."
     )
     found = page.lemma("A wall that meets (6) is passive with every filter", without_filter())
     late = {K: S.One, B: S.One / 8, b: Rational(3, 4), T: S.One, f_v: S.Half, d: S.One}
@@ -89,7 +91,8 @@ def derive(page):
         found,
         example=late | {d: S.Zero},
         unless={Eq(d, 0): (late, gives_energy(late, pi / 3))},
-        shows="$K=1$, $B=\\tfrac18$, $b=\\tfrac34$, $T=1$: with a delay of one period the wall "
-        "delivers energy in slow motions",
-        note="safe with every filter, exact without one; no delay is allowed for",
+        shows=r"with a delay of one period and $T=1$, the wall $K=1$, $B=\tfrac18$ with "
+        r"$b=\tfrac34$ delivers energy in slow motions",
+        note="the rule is safe with every filter and exact without a filter; it does not allow for "
+        "a delay",
     )

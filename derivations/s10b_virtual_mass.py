@@ -40,27 +40,32 @@ def derive(page):
         -T * (lag + lag.subs(I, -I)) / 2,
         b - MARGIN.right,
         name=r"b_{\min}(\theta)",
-        because="by the balance of energy, $-T\\,\\Re\\{H/(z-1)\\}$ at $z=e^{j\\theta}$",
+        because=r"by the balance of energy the required damping is $-T\,\Re\{H/(z-1)\}$ at "
+        r"$z=e^{j\theta}$",
     )
     page.lemma(
-        "A wall with a virtual mass is passive if and only if it does not pull and the damper "
-        "burns enough at each angle",
+        "A wall with a virtual mass is passive if and only if it does not pull and the device "
+        "dissipates enough at each angle",
         by_angle(),
     )
     page.step(
-        "The margin is least at Nyquist's frequency",
+        "The margin is smallest at the Nyquist frequency",
         MARGIN.right - (b - BOUND.left),
         (1 + cos(theta)) * (B + m_v / T * (3 - 2 * cos(theta))),
-        because=r"it is not negative for $B\ge0$ and $m_v\ge0$, and tends to 0 for $\theta\to\pi$",
+        because=r"the right side is not negative for $B\ge0$ and $m_v\ge0$, and tends to 0 for "
+        r"$\theta\to\pi$",
     )
     found = page.lemma(
         "A wall with a virtual mass is passive if and only if the damping of the device outweighs "
-        "all three",
+        "spring, damper and virtual mass together",
         decides(),
         boxed=True,
     )
     page.settle(
-        BESIDE, found, example=STILL, note="exact without delay, with the walls on the border"
+        BESIDE,
+        found,
+        example=STILL,
+        note="the bound is exact without delay, including walls on the bound",
     )
     _alone(page)
     _free(page)
@@ -78,9 +83,10 @@ def _alone(page):
         found,
         example=STILL,
         unless={none[0]: (stiff, gives_energy(stiff)), none[1]: (damped, gives_energy(damped))},
-        shows="$b=\\tfrac12$, $T=1$, $m_v=\\tfrac14$: the virtual mass requires all of the "
+        shows=r"for $b=\tfrac12$, $T=1$ the virtual mass $m_v=\tfrac14$ requires all of the "
         "damping, so that none remains for a spring",
-        note="exact for a virtual mass alone; a spring and a damper require additional damping",
+        note="the bound is exact for a virtual mass alone; a spring and a damper require "
+        "additional damping",
     )
 
 
@@ -90,14 +96,16 @@ def _free(page):
     mu = m_v / m
     response = mass.numerator / mass.denominator * mu * (1 - 1 / z) ** 2
     page.step(
-        "The drift of a free mass cancels against the virtual mass",
+        "The denominator $(z-1)^2$ of a free mass cancels against the virtual mass",
         z ** (d + 2) * (1 + response * z**-d),
         z ** (d + 2) + mu / 2 * (z + 1),
         name="p_M(z)",
-        because="this is the loop's polynomial divided by $(z-1)^2$, the factor of a motion at "
+        because="$p_M(z)$ is the loop's polynomial divided by $(z-1)^2$, the factor of a motion at "
         "constant speed; a virtual mass does not change this motion",
     )
-    found = page.lemma("Without delay a virtual mass is stable just below $2m$", free())
+    found = page.lemma(
+        "Without delay a virtual mass is stable if and only if it is smaller than $2m$", free()
+    )
     slow = {m_v: Rational(3, 2), m: S.One, d: S.One}
     page.settle(
         FREE,
@@ -105,5 +113,5 @@ def _free(page):
         example=slow | {d: S.Zero},
         unless={Eq(d, 0): (slow, swings_up(slow))},
         shows="$m_v=\\tfrac32m$ is unstable with a delay of one period",
-        note="exact for a free mass without delay",
+        note="the limit is exact for a free mass without delay",
     )

@@ -28,12 +28,12 @@ def derive(page):
     }
     for id, name in ((SEMI, "Semi-implicit Euler"), (PLAIN, "Explicit Euler")):
         theorem = page.lemma(
-            f"{name} is stable just within these bounds",
+            f"{name} is stable if and only if these bounds hold",
             found[id],
-            because="they are Jury's inequalities for two zeros",
+            because="the bounds are Jury's inequalities for a quadratic polynomial",
             boxed=True,
         )
-        page.settle(id, theorem, example=POINT, note="exact for this simulator")
+        page.settle(id, theorem, example=POINT, note="the bounds are exact for this simulator")
     page.say(
         "The well-known limits $K<4m/T^2$ and $B<2m/T$ are the two end points of the first bound. "
         "At $B=0$ the oscillation of semi-implicit Euler neither grows nor decays. Each unit of "
@@ -75,9 +75,11 @@ def _below_two(page, found):
     """Two checks that are made one by one."""
     symbols, given, then = taken_apart(page.claim(BOTH))
     exact = [found[id] for id in (SEMI, PLAIN)]
-    page.lemma("Explicit Euler lets $KT^2/m=1$, $BT/m=\\frac12$ grow", escapes(EXPLICIT, POINT))
     page.lemma(
-        "Semi-implicit Euler lets $KT^2/m=\\frac12$, $BT/m=\\frac{19}{10}$ grow",
+        r"With explicit Euler $KT^2/m=1$, $BT/m=\frac12$ is unstable", escapes(EXPLICIT, POINT)
+    )
+    page.lemma(
+        r"With semi-implicit Euler $KT^2/m=\frac12$, $BT/m=\frac{19}{10}$ is unstable",
         escapes(SEMI_IMPLICIT, EDGE),
     )
     page.settle(
@@ -94,8 +96,8 @@ def _below_two(page, found):
             (at, not_all(then.at(at), escapes(loop, at)))
             for loop, at in ((EXPLICIT, POINT), (SEMI_IMPLICIT, EDGE))
         ],
-        shows="explicit Euler is unstable at $(1,\\tfrac12)$, semi-implicit Euler at "
-        "$(\\tfrac12,\\tfrac{19}{10})$: spring and damper share one bound",
+        shows=r"explicit Euler is unstable for $KT^2/m=1$, $BT/m=\tfrac12$, and semi-implicit "
+        r"Euler for $KT^2/m=\tfrac12$, $BT/m=\tfrac{19}{10}$: spring and damper share one bound",
     )
 
 
@@ -107,17 +109,17 @@ def _one_mass(page, exact):
     theorem = page.lemma(
         "With little damping a quarter of $4m/T^2$ is stable in a simulator",
         here.closed(mp(exact, here.show(bounds))),
-        because="with a damping of up to three quarters of $2m/T$ at least a quarter of the bound "
-        "remains",
+        because="if the damping is at most three quarters of $2m/T$, at least a quarter of the "
+        "bound remains",
     )
     page.settle(
         ONE,
         theorem,
         example=POINT | {K: S.Half},
         unless={little: (EDGE, escapes(SEMI_IMPLICIT, EDGE))},
-        shows="$m=T=1$: $K=\\tfrac12$, $B=\\tfrac{19}{10}$ grows",
-        note="for semi-implicit Euler; for a device in place of a simulator no multiple of $m/T^2$ "
-        r"is a limit (\chapter{s8c_four_masses})",
+        shows=r"for $m=T=1$ the wall $K=\tfrac12$, $B=\tfrac{19}{10}$ is unstable",
+        note="this holds for semi-implicit Euler; for a device in place of a simulator no multiple "
+        r"of $m/T^2$ is a limit (\chapter{s8c_four_masses})",
     )
 
 
@@ -125,15 +127,17 @@ def _held(page):
     """The same bound for a device."""
     page.say(
         "A device differs from a simulator in two ways: its force is held while it moves, and its "
-        "velocity is the difference of two samples. Each of the two delays the wall by half a "
-        "period:"
+        "velocity is the difference of two samples. Each of these two differences adds a delay of "
+        "half a period:"
     )
     page.step(
-        "The simulator's bound is this many times that of a free mass without delay",
+        "The ratio of the simulator's bound to that of a free mass without delay exceeds 2",
         (4 * m / T**2 - 2 * B / T) / of_two_samples(),
         1 + 2 * m / (B * T),
         because="the ratio exceeds 2 for $BT<2m$, and it has no bound as the damping tends to 0",
     )
     settle_by_two_samples(
-        page, HELD, "exact for semi-implicit Euler, and at least twice what a device bears"
+        page,
+        HELD,
+        "the bound is exact for semi-implicit Euler, and at least twice the limit of a device",
     )

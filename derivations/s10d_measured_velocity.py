@@ -2,7 +2,7 @@ r"""What does a measured velocity change?
 
 Some devices have a tachometer, and a simulator knows the velocity of its mass. The damper of the
 wall then uses this velocity and not a difference of positions. How stiff may the wall be, and does
-the same limit hold for the difference?
+the same limit hold for a difference of positions?
 """
 
 from sympy import Matrix, S, eye
@@ -34,16 +34,17 @@ def derive(page):
         name=r"\det(z-A)",
     )
     found = page.lemma(
-        "With a measured velocity a wall of a free mass is stable just within these bounds",
+        "With a measured velocity a wall of a free mass is stable if and only if these bounds hold",
         decided_by(MEASURED, *STATEMENTS[KNOWN].printed),
-        because="they are Jury's inequalities for two zeros",
+        because="the bounds are Jury's inequalities for a quadratic polynomial",
         boxed=True,
     )
     page.settle(
         KNOWN,
         found,
         example=dict.fromkeys((K, B, T, m), S.One),
-        note="exact for a free mass whose force is held for a period and comes without delay",
+        note="the bounds are exact for a free mass whose force is held for a period and has no "
+        "delay",
     )
     page.say(
         "The stiffness limit rises with the damping up to the largest damping, $B=2m/T$. At this "
@@ -51,13 +52,14 @@ def derive(page):
         "samples the limit falls to zero instead:"
     )
     page.step(
-        "The difference from the bound for a difference of two samples",
+        "A measured velocity raises the bound by this stiffness",
         2 * B / T - of_two_samples(),
         4 * B**2 / (2 * m + B * T),
-        because="for little damping the difference is small; at $BT=2m$ it is the whole stiffness",
+        because="for little damping this increase is small; at $BT=2m$ it is the whole stiffness",
     )
     settle_by_two_samples(
         page,
         TAKEN,
-        "exact for a measured velocity; for a difference it is the tangent at the origin",
+        "the bound is exact for a measured velocity; for a difference of two samples it is the "
+        "tangent at the origin",
     )

@@ -21,7 +21,8 @@ def derive(page):
         "By backward Euler the low-pass filter is an exponential average",
         1 / (tau_f / T * (1 - 1 / z) + 1),
         ((1 - f_v) * z / (z - f_v)).subs(f_v, tau_f / (T + tau_f)),
-        because="with $s=(1-1/z)/T$; the pole is $f_v=\\tau_f/(T+\\tau_f)$",
+        because="backward Euler replaces $s$ by $(1-1/z)/T$, and the pole is "
+        r"$f_v=\tau_f/(T+\tau_f)$",
     )
     wall = alpha + beta * in_z(DIFFERENCE.times(exponential_average(f_v)))
     page.step(
@@ -32,14 +33,15 @@ def derive(page):
         because="the state of the filter replaces the previous sample",
     )
     page.lemma(
-        "For $m=T=1$ a free mass with a filtered velocity is stable just within these bounds",
+        "For $m=T=1$ a free mass with a filtered velocity is stable if and only if these bounds "
+        "hold",
         in_units(),
-        because="the last of Jury's inequalities is the quadratic one, and no negative damping "
-        "meets it together with the others",
+        because="the last of Jury's inequalities is the quadratic one, and no wall with negative "
+        "damping meets all of them",
     )
     printed = STATEMENTS[EXACT].printed
     found = page.lemma(
-        "A free mass with a filtered velocity is stable just within these bounds",
+        "A free mass with a filtered velocity is stable if and only if these bounds hold",
         decides(*printed),
         boxed=True,
     )
@@ -48,7 +50,8 @@ def derive(page):
         EXACT,
         found,
         example=soft,
-        note="exact without delay; for $\\tau_f=0$ it is the limit of a wall without filter",
+        note=r"the bounds are exact without delay; for $\tau_f=0$ they are those of a wall without "
+        "a filter",
     )
     _tangent(page, printed)
     _delay(page, printed, soft)
@@ -58,11 +61,11 @@ def _tangent(page, printed):
     """At the origin the filter does not count; it bends the boundary."""
     left, right = printed[-1].args
     page.step(
-        "On the line $K=2B/T$ the last bound is missed by the square of the damping",
+        "On the line $K=2B/T$ the last bound is violated by a multiple of $B^2$",
         (left - right).subs(K, 2 * B / T),
         4 * B**2 * (T + tau_f) * (T + 2 * tau_f) / T**2,
-        because="so this line is the tangent at the origin for every filter; the filter affects "
-        "only the curvature of the boundary",
+        because="the excess is of second order, so that this line is the tangent at the origin for "
+        "every filter; the filter affects only the curvature of the boundary",
     )
     page.lemma(
         "With every filter a stable wall of a free mass lies below the line $K=2B/T$",
@@ -78,20 +81,23 @@ def _tangent(page, printed):
 def _delay(page, printed, soft):
     [rule] = STATEMENTS[DELAY].printed
     found = page.lemma(
-        "With little damping a filter takes less stiffness than the same delay of the wall",
+        "With little damping a filter reduces the stiffness less than an equal delay of the wall",
         counted_as_delay(rule, *printed),
         boxed=True,
     )
     strong = soft | {K: S.Half, B: S.One}
-    page.lemma("With $m=T=\\tau_f=B=1$ the stiffness $\\frac12$ grows", escapes(LOW_PASS, strong))
+    page.lemma(
+        r"With $m=T=\tau_f=B=1$ the stiffness $\frac12$ is unstable", escapes(LOW_PASS, strong)
+    )
     page.settle(
         DELAY,
         found,
         example=soft | {K: S.One / 8},
         unless={LITTLE: (strong, escapes(LOW_PASS, strong))},
-        shows="$m=T=\\tau_f=B=1$: the rule allows $K<\\tfrac23$, and $K=\\tfrac12$ is unstable",
-        note="at the origin the rule is too strict by the factor $1+2\\tau_f/T$; from "
-        "$B=2m\\tau_f/(T(T+4\\tau_f))$ on it allows unstable walls, and for $\\tau_f=0$ everywhere",
+        shows=r"for $m=T=\tau_f=B=1$ the rule allows $K<\tfrac23$, but $K=\tfrac12$ is unstable",
+        note=r"at the origin the rule is too strict by the factor $1+2\tau_f/T$. From "
+        r"$B=2m\tau_f/(T(T+4\tau_f))$ on the rule allows unstable walls; for $\tau_f=0$ it does so "
+        "for every $B$",
     )
 
 

@@ -25,15 +25,18 @@ def derive(page):
     page.lemma(
         "For $m=T=1$ a stable wall satisfies $K(\\frac12+\\tau)<B$",
         in_units(),
-        because="by two of Hurwitz' inequalities, as long as five expressions in the lag "
-        "$\\tau=\\tau_a/T$ and $q=e^{-1/\\tau}$ are positive",
+        because="two of Hurwitz' inequalities imply this bound if five expressions in the lag "
+        r"$\tau=\tau_a/T$ and $q=e^{-1/\tau}$ are positive",
     )
     for theorem, of in zip(
         exponentials(), ("the first", "the second", "the third", "the last"), strict=True
     ):
-        page.lemma(f"The exponential lies above these bounds: {of}", theorem)
+        page.lemma(f"The exponential exceeds {of} bound", theorem)
     found = page.lemma(
-        "With a lag no wall of a free mass above the line is stable", below_the_line(), boxed=True
+        r"With a lag every stable wall of a free mass satisfies $K(\frac "
+        r"T2+\tau_a)<B$",
+        below_the_line(),
+        boxed=True,
     )
     wall = {K: Rational(18, 100), B: Rational(56, 100), T: S.One, m: S.One, tau_a: S.One}
     page.settle(
@@ -46,8 +49,8 @@ def derive(page):
     )
     page.say(
         "Farther from the origin a lag reduces the stiffness less than an equal delay. A delay "
-        "transmits all "
-        "frequencies; a lag attenuates the high ones, at which a delayed wall becomes unstable."
+        "transmits all frequencies; a lag attenuates the high frequencies, at which a delayed wall "
+        "becomes unstable."
     )
     page.lemma(
         "With a lag of one period $K=\\frac{18}{100}$, $B=\\frac{56}{100}$ is stable for $m=T=1$",
@@ -78,8 +81,8 @@ def _with_a_spring(page):
     lag, swing = LAG, sqrt(gamma)
     device = lagging(moving_mass(gamma), lag)
     page.say(
-        "A device with a spring is different. Without damping, its motion with the lag is again "
-        "$\\Phi(t)$ times the state and $\\Gamma(t)F$:"
+        "For a device with a spring a lag can be worse than an equal delay. Without damping, the "
+        r"state after a time $t$ is again $\Phi(t)$ times the initial state plus $\Gamma(t)F$:"
     )
     fall, turn, rise = exp(-t / lag), cos(swing * t), sin(swing * t)
     pulled = lag**2 / (1 + swing**2 * lag**2) * (fall - turn + rise / (swing * lag))
@@ -94,14 +97,14 @@ def _with_a_spring(page):
     push = Matrix([held, held.diff(t), 1 - fall])
     show_motion(page, device, (phi, push), "xvu", "obeys the equations of spring and actuator")
     page.step(
-        "With a wall the loop has this polynomial",
+        "The loop of mass, spring, actuator and wall has this polynomial",
         closed_loop(phi, push, {alpha: alpha, beta: beta}) * gamma * (1 + gamma * lag**2),
         SWINGING.of[0].subs({K: alpha, B: beta, T: 1, m: 1, k: gamma, FADING: exp(-1 / lag)}),
         name=r"\gamma(1+\gamma\tau^2)\det(z-A)",
     )
     page.say(
-        "Take a device that swings once in four periods, $\\gamma=\\pi^2/4$, and a delay that is "
-        "three quarters of a swing:"
+        r"Take a device that oscillates once in four periods, $\gamma=\pi^2/4$, and a delay of "
+        "three quarters of this oscillation:"
     )
     spring = pi**2 / 4
     late = {alpha: spring / 10, beta: spring / 20, gamma: spring, delta: S.Zero, d: S(3)}
@@ -112,9 +115,10 @@ def _with_a_spring(page):
     )
     wall = {K: late[alpha], B: late[beta], T: S.One, m: S.One, k: late[gamma], tau_a: S(3)}
     grown = page.lemma(
-        "With a lag of three periods it is not",
+        "With a lag of three periods the same parameters are unstable",
         escapes(SWINGING.at(BEHIND), wall),
-        because="the delay of three quarters of a swing turns the spring of the wall into a damper",
+        because="a delay of three quarters of an oscillation turns the spring of the wall into a "
+        "damper, and a lag does not",
     )
     page.settle(
         BELOW,
@@ -123,9 +127,10 @@ def _with_a_spring(page):
         corrected=[r"\text{a lag has to be judged as a lag}"],
         misprint=False,
         unless=[(wall | {d: late[d]}, still, grown)],
-        shows="a device that swings once in four periods, with a lag and a delay of three periods",
-        note="a lag turns the phase by less than a right angle and cannot replace a delay that "
-        "damps. Model the actuator with its lag",
+        shows="a device that oscillates once in four periods is stable with a delay of three "
+        "periods and unstable with a lag of three periods",
+        note="a lag shifts the phase by less than 90 degrees and cannot replace a delay that acts "
+        "as damping. Model the actuator with its lag",
     )
 
 
@@ -152,7 +157,7 @@ def _loop(page):
     held = Matrix([t**2 / 2 - tau * (t - slip), t - slip, 1 - fall])
     show_motion(page, device, (phi, held), "xvu", "obeys the equations of device and actuator")
     page.step(
-        "With the position of the sample before as fourth state the loop has this polynomial",
+        "With the previous position as the fourth state the loop has this polynomial",
         closed_loop(phi, held, {alpha: alpha, beta: beta}),
         LOOP.of[0].subs({K: alpha, B: beta, FADING: exp(-1 / tau)}),
         name=r"\det(z-A)",

@@ -1,4 +1,4 @@
-r"""What does a sampled spring give away?
+r"""How much energy does a sampled spring deliver?
 
 Textbooks explain the limit $K\le2b/T$ by energy: a spring with a held force delivers some energy in
 every period, and the damper has to dissipate it. We check the numbers of this explanation, and what
@@ -16,37 +16,37 @@ LEAK, DELAY = "rules:energy-leak", "rules:delay-damping"
 
 def derive(page):
     page.say(
-        "A device with the speed $v$ moves by $vT$ in a period. The spring pushes with the force "
-        "for the position $x$ at the start of the period, or for the previous sample if it is "
+        "A device with the speed $v$ moves by $vT$ in a period. The spring force belongs to the "
+        "position $x$ at the start of the period, or to the previous sample if the force is "
         "delayed by a period. On the way into the wall the user does less work than the spring "
         "stores:"
     )
     page.step(
-        "In a period the spring gives away half of $K(vT)^2$",
+        "In a period the held spring force delivers half of $K(vT)^2$",
         K * ((x + v * T) ** 2 - x**2) / 2 - K * x * v * T,
         K * (v * T) ** 2 / 2,
         name=r"E_{\text{hold}}",
     )
     page.step(
-        "Each period of delay adds twice as much",
+        "Each period of delay adds twice this energy",
         K * x * v * T - K * (x - v * T) * v * T,
         K * (v * T) ** 2,
         name=r"E_{\text{delay}}",
     )
     page.say(
-        "In the same time the damper dissipates $bv^2T$. The energy that the spring delivers is "
-        "$KT/(2b)$ of this, which is the ratio in the rule."
+        "In the same time the damper dissipates $bv^2T$. The spring delivers $KT/(2b)$ times this "
+        "energy. This factor is the ratio in the rule."
     )
     page.say(
         "On the way out the spring delivers more than it stored, by the same amount. This "
-        "calculation is for constant speed. It remains to show that no other motion gains more "
+        "calculation assumes constant speed. It remains to show that no other motion gains more "
         "energy."
     )
     then = taken_apart(page.claim(DELAY))[2]
     rule, passive = then.of
     found = page.lemma(
-        "Behind a whole delay a spring is passive if and only if the damper bears the losses at "
-        "constant speed",
+        "With an integer delay a spring is passive if and only if the damper dissipates the energy "
+        "delivered at constant speed",
         behind_a_delay(rule),
         because="low frequencies are the strictest for a wall without virtual damping",
         boxed=True,
@@ -61,11 +61,12 @@ def derive(page):
         unless={whole(d): (late, denied)},
         shows="with a delay of half a period, $K=1$ meets the rule for $b=\\tfrac{101}{100}$, "
         "$T=1$ and delivers energy",
-        note="exact for integer delays without virtual damping; round a fractional delay up",
+        note="the rule is exact for integer delays without virtual damping; round a fractional "
+        "delay up",
     )
     rule = taken_apart(page.claim(LEAK))[2].of[0]
     found = page.lemma(
-        "Without delay a spring is passive if and only if the ratio is at most one",
+        "Without delay a spring is passive if and only if the ratio $KT/(2b)$ is at most one",
         without_delay(rule),
     )
     late = {K: S.One, b: Rational(3, 4), T: S.One, d: S.One}
@@ -76,8 +77,8 @@ def derive(page):
         unless={Eq(d, 0): (late, differs(rule, late))},
         shows="with a delay of one period, $K=1$ with $b=\\tfrac34$, $T=1$ has the ratio "
         "$\\tfrac23$ and delivers energy",
-        note="exact without delay and virtual damping; a delay by $d$ periods multiplies the loss "
-        "by $2d+1$",
+        note="the rule is exact without delay and virtual damping; a delay of $d$ periods "
+        "multiplies the delivered energy by $2d+1$",
     )
 
 

@@ -1,4 +1,4 @@
-r"""Is a virtual coupling passive if its damper outweighs half of its spring?
+r"""Is a virtual coupling passive if its damper exceeds $KT/2$?
 
 A laboratory renders a mass of 2.4 kg with a delta.3 device, and its design record is public. The
 record explains why a force proportional to the measured acceleration cannot do this. Instead, a
@@ -52,7 +52,8 @@ def _damper(page):
         misprint=False,
         example=wall | {b: S(2)},
         unless=[(wall, drives(wall))],
-        shows="$K=2$, $B=T=b=1$ meets the record and delivers energy; it requires $b=2$",
+        shows="$K=2$, $B=T=b=1$ meets the condition of the record and delivers energy; the "
+        "coupling requires $b=2$",
         note="the damper that has to exceed $KT/2$ is that of the device. The virtual damper "
         "requires additional damping, so that a larger $B$ makes the coupling less passive",
     )
@@ -68,7 +69,7 @@ def _implicit(page):
     found = page.lemma(
         "A step of backward Euler never raises the energy of a mass and a spring",
         loses_energy(),
-        because="it loses $\\frac12m(v-q)^2+\\frac12k(x-p)^2$",
+        because=r"the step dissipates $\frac12m(v-q)^2+\frac12k(x-p)^2$",
         boxed=True,
     )
     step = {m: S.One, k: S.One, T: S.One, x: S.One, v: S.Zero}
@@ -81,7 +82,8 @@ def _implicit(page):
         misprint=False,
         example=step,
         unless=[step],
-        shows="$m=k=T=1$: from $x=1$ at rest, half of the energy is left after one step",
+        shows="for $m=k=T=1$ and a start from $x=1$ at rest, half of the energy is left after one "
+        "step",
         note="the energy never increases, as passivity requires; the method also damps an "
         "oscillation of the simulated mass",
     )
@@ -96,19 +98,20 @@ def _masses(page):
         example=slow | {d: S.Zero},
         unless={Eq(d, 0): (slow, swings_up(slow))},
         shows="$m_v=\\tfrac32m$ is unstable with a delay of one period",
-        note="exact for a free mass without delay, see \\chapter{s10b_virtual_mass}",
+        note=r"the limit is exact for a free mass without delay, see \chapter{s10b_virtual_mass}",
     )
     found = page.lemma(
         "A virtual mass that is stable beside a spring is stable alone",
         fades_alone(),
-        because="the product of the zeros is $m_v/(2m)$ with and without the spring",
+        because="the product of the zeros is $m_v/(2m)$ with and without the spring, and has to be "
+        "less than 1",
     )
     stiff = {m_v: S.One, m: S.One, K: Rational(1, 10), T: S.One}
     page.settle(
         BESIDE,
         found,
         example=(stiff, roots_inside(SPRUNG.at(stiff).terms[0], z, {})),
-        note="for a free mass without delay and damping",
+        note="this holds for a free mass without delay and damping",
     )
     light = {m_v: Rational(1, 4), m: S.One, K: Rational(1, 10), T: S.One}
     page.lemma(
@@ -128,7 +131,7 @@ def _numbers(page):
     page.settle("coupling:rest", number(proposition(STATEMENTS["coupling:rest"].printed[0])))
     page.say(
         "The second difference has the weights 1, $-2$ and 1. Errors of up to $e$ in three samples "
-        "therefore become up to $4e/T^2$, 64 million times $e$."
+        "therefore cause an error of up to $4e/T^2$, which is 64 million times $e$."
     )
     page.settle_external(
         "coupling:passive-mass",
@@ -138,7 +141,8 @@ def _numbers(page):
     )
     page.say(
         "According to the record the device has a mass of 0.4 to 0.5 kg, so that 2.4 kg is 4.8 to "
-        "6 times as much. The factor of twelve is the ratio to 0.2 kg, half of the smaller mass."
+        "6 times as much. The factor of twelve in the record is the ratio to 0.2 kg, half of the "
+        "smaller mass."
     )
     page.settle_slip(
         "coupling:ratio",

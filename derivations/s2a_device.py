@@ -13,9 +13,9 @@ def derive(page):
     device = Plant(m_D, b_D, None).characteristic
     arm = Plant(m_H, b_H, k_H).characteristic
     page.say(
-        "A firm grip couples both rigidly. They share the position, and the force between them "
-        "acts on both with opposite signs. It cancels in the sum of both equations of motion, so "
-        "that masses, dampings and stiffnesses add up."
+        "A firm grip couples device and arm rigidly. Both have the same position, and the force "
+        "between them acts on both with opposite signs. This force cancels in the sum of both "
+        "equations of motion, so that masses, dampings and stiffnesses add up."
     )
     both = page.step(
         "Two bodies with one position have one mass, one damper and one spring",
@@ -25,9 +25,10 @@ def derive(page):
         because="the forces that the two bodies need for the same motion add up",
     )
     page.say(
-        "This is $ms^2+bs+k$ of a single body; its three numbers are the coefficients of $s$. "
-        "Without any model of the arm, its action remains in the external force alone and the "
-        "device keeps its own numbers, with no spring."
+        "This is the polynomial $ms^2+bs+k$ of a single body. Its mass, damping and stiffness are "
+        "the coefficients of $s^2$, $s$ and 1. Without a model of the arm, the external force "
+        "contains the whole action of the arm. The device then keeps its own mass and damping and "
+        "has no spring."
     )
     mass, damping, stiffness = Poly(both, s).all_coeffs()
     page.settle("eq2", Eq(m, mass), Eq(b, damping), Eq(k, stiffness), definition=True)
@@ -35,12 +36,12 @@ def derive(page):
     page.settle(
         "eq3", Eq(m, mass), Eq(b, damping), Eq(k, stiffness, evaluate=False), definition=True
     )
-    page.say("There is no loss of generality if the external force is arbitrary:")
+    page.say("This model is as general as (2), because the external force is arbitrary:")
     page.step(
         "The arm's forces can be counted as external",
         both * x - F_E,
         device * x - (F_E - arm * x),
-        because="the sum is zero for the common motion; the last bracket is the force on the "
+        because="both sides vanish for the common motion, and the last bracket is the force on the "
         "device alone",
     )
     _settle(page)

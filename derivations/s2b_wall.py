@@ -1,7 +1,7 @@
 """Which force does the virtual wall return?
 
 Once per period $T$ the wall reads the position. It returns the force of a spring $K$ and a damper
-$B$; the velocity is the difference of the last two positions over $T$.
+$B$; the velocity is the difference of the last two positions, divided by $T$.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -16,21 +16,23 @@ def derive(page):
         "The wall force from the last two samples",
         "H(z)",
         law,
-        because="a period earlier is a factor $1/z$, so $x_k-x_{k-1}$ becomes $(1-1/z)\\,x$",
+        because="the factor $1/z$ is a shift to the previous period, so that $x_k-x_{k-1}$ becomes "
+        r"$(1-1/z)\,x$",
     )
     form = page.step(
-        "The wall is a quotient with one pole, at $z=0$",
+        "The transfer function of the wall has one pole, at $z=0$",
         law,
         K + B * (z - 1) / (T * z),
         name=H(z),
         paper="1",
-        because="both fractions are brought over $z$",
+        because="both terms are written over the common denominator $z$",
     )
     page.step(
-        "A wall at rest is its spring alone",
+        "At a constant position the wall is its spring alone",
         law.subs(z, 1),
         K,
         name="H(1)",
-        because=r"at a constant position only the spring acts; passivity requires $H(1)\ge0$",
+        because="at a constant position, $z=1$, the virtual damper has no effect; passivity "
+        r"requires $H(1)\ge0$",
     )
     page.settle("eq1", Eq(H(z), form), definition=True)

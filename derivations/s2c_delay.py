@@ -25,19 +25,21 @@ def derive(page):
         "Two delays act on the loop as their sum",
         loop,
         P / (1 + P * H * z ** (-(d_1 + d_2))),
-        because="powers of $z$ commute with everything in a linear loop and add their exponents",
+        because="in a linear loop powers of $z$ commute with all other factors, and their "
+        "exponents add up",
     )
     page.say(
-        "Delays between hold and sampler commute with the device itself, so this holds for every "
-        "real delay there. The denominator, and with it the characteristic polynomial, depends "
-        "on the sum only. A delay of the external force would enter the numerator alone."
+        "A delay between hold and sampler commutes with the device. The same therefore holds if "
+        "this delay is any real number of periods. The denominator is the characteristic "
+        "polynomial, and it depends on the sum only. A delay of the external force would change "
+        "the numerator only."
     )
     claim = page.claim("s2c-delays-lump")
     page.lemma(
-        "Delays before the device, behind it and of the computation act as their sum",
+        "Delays before and behind the device and in the computation act as their sum",
         lumped(claim),
         because=r"a force that is delayed by an integer number of periods is $z^{-\ell}$ times the "
-        "force, and the response to it is unique",
+        "force, and the response of the device is unique",
     )
     point = FREE | {d: S(2), d_1: S.Half, d_2: S.Half, l: S.One, z: S(4)}
     page.settle(
@@ -73,9 +75,9 @@ def derive(page):
     page.say(
         r"The model $z^{-d}P(z)$ predicts no motion at the next sample. For $d=\tfrac12$ the mass "
         r"has moved by $\tfrac18$. So $z^{-d}$ is exact for integer delays only. For other delays "
-        "the substitution $z=w^q$ gives a polynomial and is an approximation, as the paper says: "
-        "$P(w^q)$ is not the device sampled $q$ times as often but $q$ copies of the slow "
-        "device, coupled by the delay."
+        "the substitution $z=w^q$ gives a polynomial and is an approximation, as the paper says. "
+        "$P(w^q)$ is not the device sampled $q$ times as often. It describes $q$ copies of the "
+        "slow device, coupled by the delay."
     )
     page.lemma(
         "For integer delays $z^{-d}$ is exact, for every device",
@@ -106,8 +108,8 @@ def _rational(page):
         "s2c-rational-delay",
         conj(for_all(symbols, given, found), exists(apart, some, values)),
         note="with a delay of half a period, the response of a free mass at $z=4$ is "
-        r"$\tfrac{41}{288}$ and not $\tfrac12\cdot\tfrac5{18}$; the exact form for fractional "
-        "delays is the modified z-transform (fractional-polynomial)",
+        r"$\tfrac{41}{288}$ and not $\tfrac12\cdot\tfrac5{18}$; for fractional delays the modified "
+        r"z-transform is exact (\texttt{fractional-polynomial})",
     )
 
 
@@ -118,5 +120,5 @@ def _not_negative(page):
         "s2c-positive-delay",
         for_all((t_d, T), given, closed(over(t_d / T >= 0, *given), period)),
         example={t_d: S.Zero, T: S.One},
-        note="zero is allowed, as in Fig. 7",
+        note="the delay may also be zero, as in Fig. 7",
     )

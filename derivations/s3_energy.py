@@ -1,8 +1,8 @@
 """When can no motion extract energy from a sampled wall?
 
-A device with damping $b$ is moved at will while a wall $H(z)$, evaluated every $T$, pushes with a
-force that is held in between. The user gains energy if the wall delivers more than the damper
-dissipates. Which inequality excludes this, and is it sufficient?
+A user moves a device with damping $b$ at will. A wall $H(z)$ computes a force once per period $T$,
+and this force is held until the next period. The user gains energy if the wall delivers more than
+the damper dissipates. Which inequality excludes this, and is it sufficient?
 """
 
 from sympy import re
@@ -19,25 +19,26 @@ def derive(page):
     page.say(
         "The wall force is constant over a period, so that its work $F_kp_k$ depends on the "
         "displacement $p_k$ only. The damper dissipates the integral of $bv^2$. For a given "
-        "displacement this is smallest at constant speed:"
+        "displacement this integral is smallest at constant speed:"
     )
     page.step(
         "A damper dissipates least at constant speed",
         v**2,
         (v - p_k / T) ** 2 + 2 * v * p_k / T - p_k**2 / T**2,
-        because="integrated over a period, the last two terms give $p_k^2/T$, and the square "
-        "gives nothing only if the speed is constant",
+        because="the integral of the last two terms over a period is $p_k^2/T$, and the integral "
+        "of the square vanishes only at constant speed",
     )
     page.say(
-        "A motion that ends at rest returns the kinetic energy, so that the mass does not "
-        "matter. The position has the spectrum $x=p/(z-1)$. The sum over all periods gives the "
-        r"energy per squared displacement, $b/T+\Re\{H/(z-1)\}$."
+        "A motion that ends at rest returns the kinetic energy, so that the mass does not matter. "
+        "If $p$ is the spectrum of the displacements, the position has the spectrum $x=p/(z-1)$. "
+        "The sum over all periods gives the energy that damper and wall receive per squared "
+        r"displacement, $b/T+\Re\{H/(z-1)\}$."
     )
     page.step(
         "On the unit circle $1/(z-1)$ has this value",
         passivity.on_circle(1 / (z - 1)),
         (exp(-I * theta) - 1) / (2 - 2 * cos(theta)),
-        because="with $z=e^{j\\theta}$ and $\\theta=\\omega T$",
+        because=r"here $z=e^{j\theta}$ has the angle $\theta=\omega T$",
         name=r"\left.\frac{1}{z-1}\right|_{z=e^{j\theta}}",
     )
     angle = omega * T
@@ -50,34 +51,35 @@ def derive(page):
         name=r"b_{\min}(\omega)",
         boxed=True,
         paper="4",
-        because="where this fails, a motion whose spectrum is concentrated near that angle gains "
-        "energy",
+        because="if this inequality fails at an angle, a motion whose spectrum is concentrated "
+        "near this angle gains energy",
     )
     page.say(
-        r"At $\theta=0$, outside the open interval, $1/(z-1)$ has a pole, and there the sum has a "
-        "second term. For the spring alone, $F_k=Kx_k$, the work equals the stored energy:"
+        r"At $\theta=0$, which the open interval excludes, $1/(z-1)$ has a pole. This pole adds a "
+        "second term to the sum. For the spring alone, $F_k=Kx_k$, this term is the stored energy:"
     )
     page.step(
-        "The work against a spring equals its stored energy",
+        "The work of a step against a spring contains the change of the stored energy",
         x * p_k,
         ((x + p_k) ** 2 - x**2 - p_k**2) / 2,
-        because="with $x_{k+1}=x_k+p_k$ the first two terms telescope to $x_N^2/2$",
+        because="with $x_{k+1}=x_k+p_k$ and $x_0=0$ the sum of the first two terms over all "
+        "periods is $x_N^2/2$",
     )
     periods = S(4)
     ramp = periods * b * p_k**2 / T + K * p_k**2 * periods * (periods - 1) / 2
     page.step(
-        "Four equal steps against a spring take out this energy",
+        "Damper and spring receive this energy in four equal steps",
         ramp,
         (4 * b / T + 6 * K) * p_k**2,
         name="E",
-        because="$x_k=kp$, so the spring takes $K(0+1+2+3)p^2$",
+        because="the position is $x_k=kp_k$, so that the spring receives $K(0+1+2+3)p_k^2$",
     )
     page.say(
-        r"For $H(1)<0$ the stored energy $\tfrac12H(1)x_N^2$ is negative and grows with the "
-        "square of the distance, while the dissipated energy grows with the distance only. No "
-        r"inequality at $\theta>0$ excludes this, so that $H(1)\ge0$ is necessary as well. Both "
-        "conditions together are sufficient. (At equality no energy is gained either: the strict "
-        "sign is slightly stronger than passivity.)"
+        r"For $H(1)<0$ the stored energy $\tfrac12H(1)x_N^2$ is negative, and its magnitude grows "
+        "with the square of the distance. The dissipated energy grows only in proportion to the "
+        r"distance. No inequality at $\theta>0$ excludes such walls, so that $H(1)\ge0$ is "
+        "necessary as well. Both conditions together are sufficient. (At equality no motion gains "
+        "energy either: the strict sign is slightly stronger than passivity.)"
     )
     _settle(page, b > needed)
 
@@ -88,9 +90,9 @@ def _settle(page, condition):
     given = taken_apart(claim)[1]
     theorem = as_claimed(claim, no_motion_gains(given[-1]), PUSHES)
     page.say(
-        "A wall that is computed from three positions, the last of them $d$ periods old, has "
-        "$H=(h_0+h_1/z+h_2/z^2)z^{-d}$; that of (1) has $h_0=K+B/T$, $h_1=-B/T$ and $h_2=0$, and "
-        "$H(1)=h_0+h_1+h_2$ is its stiffness."
+        "A wall that is computed from three positions, the latest of them $d$ periods old, has "
+        "$H=(h_0+h_1/z+h_2/z^2)z^{-d}$. The wall (1) has $h_0=K+B/T$, $h_1=-B/T$ and $h_2=0$. The "
+        "stiffness of a wall is $H(1)=h_0+h_1+h_2$."
     )
     page.lemma(
         "From a wall $(h_0+h_1/z+h_2/z^2)z^{-d}$ no motion gains energy if and only if it has "
@@ -105,7 +107,7 @@ def _settle(page, condition):
         r"A wall $(h_0+h_1/z+h_2/z^2)z^{-d}$ that meets (4) and has $H(1)\ge0$ delivers no energy",
         theorem,
         because="the energy of a motion is the integral of the margin over the spectrum of its "
-        "displacements, and the energy stored at the end",
+        "displacements, plus the energy stored at the end",
         boxed=True,
     )
     page.settle(
@@ -114,9 +116,9 @@ def _settle(page, condition):
         condition,
         example=(soft, holds(given[-1], soft, [S.Half])),
         unless={PUSHES: (pulled, holds(given[-1], pulled, *pulls), gives_energy())},
-        note="for walls with three coefficients, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$ with an integer "
-        "$d$, as (1) is; other $H$ are not decided. At equality no motion gains energy "
-        "either, so that (4) is sufficient, and necessary except for equality",
+        note="the verdict covers walls with three coefficients, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$ with "
+        "an integer $d$. The wall (1) is one of them; other $H$ are not decided. At equality no "
+        "motion gains energy either, so that (4) is sufficient, and necessary except for equality",
         shows="a wall with three coefficients, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$, may have $H(1)<0$: "
         "$H=-(1+1/z+1/z^2)$ satisfies (4) for every damper, and delivers energy",
     )

@@ -1,7 +1,7 @@
 """Is a connection of passive systems passive and stable?
 
-Passivity is used because it survives when systems are connected. We ask which connections preserve
-it, and which kind of stability follows.
+Designers use passivity because connected passive systems are passive again. We ask for which
+connections this is true, and which kind of stability follows.
 """
 
 from symhaptic.book.lemmas.connections import (
@@ -22,23 +22,23 @@ from symhaptic.paper.propositions.systems import FREQUENCY, KIND, R_1, R_2, X_1,
 
 def derive(page):
     page.say(
-        "Let a system with the speed $v$ and the force $F$ never deliver more energy than it "
-        "received: it stores at most the integral of $Fv$. Two systems are coupled, so that the "
-        "second one acts on the first with the force $F_2$:"
+        "A system with the speed $v$ and the force $F$ is passive if it never delivers more energy "
+        "than it has received: it stores at most the integral of $Fv$. Couple two passive systems, "
+        "so that the second one acts on the first with the force $F_2$:"
     )
     pushed = symbols("F_2")
     face = page.step(
-        "Two coupled systems receive only what comes from outside",
+        "Two coupled systems receive energy only from outside",
         (F - pushed) * v + pushed * v,
         F * v,
-        because="together they receive what comes from outside; the sum of both stored energies "
-        "shows that the whole is passive",
+        because="the force $F_2$ cancels in the sum, so that both systems together store at most "
+        "the integral of $Fv$: the whole is passive",
     )
     page.same("parallel and feedback", face, (F - pushed) * v + pushed * v)
     page.say(
-        "This requires that the two share one quantity and exchange the other. A chain, in which "
-        "the output of one system is the input of the next, is different. Take a lag $1/(s+1)$, "
-        "in units of its time constant:"
+        "The two systems must share one quantity, here the speed, and exchange the other, here the "
+        "force. A chain, in which the output of one system is the input of the next, is different. "
+        "Take a lag $1/(s+1)$, in units of its time constant:"
     )
     lag = 1 / (1 + I * omega)
     page.step(
@@ -63,17 +63,17 @@ def derive(page):
         r"$e^{t/2}$, "
         "although the gain and each lag are passive",
     )
-    page.say("Nor is a passive system stable in the sense that it comes to rest:")
+    page.say("A passive system need not come to rest:")
     page.step(
         "A free mass drifts after a push",
         Plant(m, None, None).transition(t)[0, 1],
         t,
         name=r"x/v_0",
-        because="it receives energy only from the initial push, and then drifts forever",
+        because="the mass receives energy only from the initial push, and then drifts forever",
     )
     page.say(
         "Let $Z_1=R_1+jX_1$ and $Z_2=R_2+jX_2$ be the frequency responses of two linear systems. "
-        r"They are passive if $R\ge0$ at every frequency."
+        "Each of them is passive if its real part $R_1$ or $R_2$ is not negative at any frequency."
     )
     page.lemma(
         "Passive systems in parallel and in feedback are passive",
@@ -90,8 +90,8 @@ def _settle(page):
         "With every delay a passive wall stabilises every damped device, if the wall or a spring "
         "has stiffness",
         passive_wall_is_stable(),
-        because="a delay is an integer number of periods and a fraction of one, as in "
-        r"\chapter{s6e_fractional_passive_is_stable}",
+        because="a delay consists of an integer number of periods and a fraction of a period, as "
+        r"in \chapter{s6e_fractional_passive_is_stable}",
     )
     wall = dict.fromkeys((beta, gamma, d), S.Zero) | {alpha: S.One, delta: S.One}
     lags = dict.fromkeys((R_1, R_2), Rational(1, 5)) | dict.fromkeys((X_1, X_2), -Rational(2, 5))
@@ -112,11 +112,11 @@ def _settle(page):
             HELD: fails(drift, stays_on_circle(drift, S.Zero)),
             DAMPED_DEVICE: fails(swing, stays_on_circle(swing, pi / 2)),
         },
-        shows="two lags in a chain are not passive, with a passive wall without stiffness a free "
-        "mass drifts, and without a damper a spring oscillates for ever",
-        note="true for parallel and feedback connections of linear systems, at each frequency; "
-        "stability holds for the paper's loop with a damper, if a spring or the wall has "
-        "stiffness",
+        shows="two lags in a chain are not passive; a free mass drifts at a passive wall without "
+        "stiffness; a mass on a spring without a damper oscillates forever",
+        note="the claim is true for parallel and feedback connections of linear systems, at each "
+        "frequency; stability holds for the paper's loop with a damper, if a spring or the wall "
+        "has stiffness",
     )
 
 

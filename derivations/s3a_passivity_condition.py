@@ -28,7 +28,8 @@ def derive(page):
         brackets,
         paper="5",
         name=r"\frac{T}{2}\,\frac{\Re\{(1-1/z)H(z)z^{-d}\}}{1-\cos\theta}\Big|_{z=e^{j\theta}}",
-        because=r"the wall inserted into the energy balance, with $\theta=\omega T$",
+        because="the transfer function of the wall is inserted into the energy balance, with "
+        r"$\theta=\omega T$",
     )
     page.step(
         "The coefficient of the stiffness is Dirichlet's kernel",
@@ -46,31 +47,31 @@ def derive(page):
         passivity.dirichlet_form(),
         name=r"b_{\min}(\theta)",
         boxed=True,
-        because="it consists of the Dirichlet kernel of order $d$ and a single cosine, and does "
-        "not contain the mass",
+        because="the previous two steps give its two terms, Dirichlet's kernel and a cosine; the "
+        "mass does not occur",
     )
     page.lemma(
         r"With an integer delay a wall is passive if and only if $K\ge0$ and the damper "
         "dissipates enough at each angle",
         passive_by_angle(),
         because="the energy of a motion is the integral of the margin over the spectrum of its "
-        "displacements, and the energy stored in the spring at the end",
+        "displacements, plus the energy stored in the spring at the end",
         boxed=True,
     )
     _mass(page)
     page.say(
         "A spring of negative stiffness, $K=-1$ without delay, meets (5), but four equal steps "
-        "gain the energy 2. With a delay of half a period, where $z^{-d}$ is not exact, let the "
-        r"device move by $\tfrac32$ in the first half of each period, by 1 in the second, and "
-        "back after 30 periods."
+        "gain the energy 2. With a delay of half a period $z^{-d}$ is not exact. Let the device "
+        r"move by $\tfrac32$ in the first half of each period and by 1 in the second half, and let "
+        "it return after 30 periods."
     )
     page.step(
         "Damper and wall receive this energy from the motion",
         passivity.half_late_energy(Rational(3, 2), S.One, 30),
         390 * b / T + 345 * B / T - 1605 * K / 4,
         name="E",
-        because=r"for that wall it is $-\tfrac{147}{20}$, although (5) requires only "
-        r"$b>\cos\frac\theta2$",
+        because=r"for $K=1$, $B=0$, $b=\tfrac{101}{100}$ and $T=1$ this energy is "
+        r"$-\tfrac{147}{20}$, although (5) requires only $b>\cos\frac\theta2$",
     )
     _settle(page, b > brackets.subs(theta, omega * T))
 
@@ -123,9 +124,10 @@ def _settle(page, printed):
         },
         shows="with a delay of half a period, (5) holds at every frequency, yet a motion extracts "
         "$147/20$",
-        note="equivalent to (4) with $z^{-d}$ for every real $d$. For a fractional delay of the "
-        "held force it allows walls that are not passive, and excludes some that are. At "
-        r"equality no motion gains energy either: with $\ge$ the last condition is not needed",
+        note="(5) is equivalent to (4) with $z^{-d}$ for every real $d$. For a fractional delay of "
+        "the held force (5) allows walls that are not passive, and excludes some passive walls. At "
+        r"equality no motion gains energy either: with $\ge$ in (5) the last condition of the "
+        "verdict is not needed",
     )
 
 

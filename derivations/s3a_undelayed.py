@@ -1,7 +1,7 @@
 """What is the passivity condition without delay?
 
 Without delay the kernel of the condition is constant, and one cosine remains. The paper replaces
-the condition at all frequencies by one inequality (6). We compare the two for equality and for
+the condition at all frequencies by one inequality (6). We compare (5) and (6) at equality and for
 negative stiffness.
 """
 
@@ -35,7 +35,7 @@ def derive(page):
         K * T / 2 + B - undelayed,
         2 * B * cos(theta / 2) ** 2,
         name=r"\tfrac{KT}{2}+B-b_{\min}",
-        because="tends to 0 for $\\theta\\to\\pi$ and is positive before",
+        because=r"the difference is positive for $\theta<\pi$ and tends to 0 for $\theta\to\pi$",
     )
     form, same = taken_apart(page.claim("s3a-undelayed"))[2].of
     frequencies = same.of[0]
@@ -46,10 +46,10 @@ def derive(page):
         because="the cosine comes arbitrarily close to 1 and to $-1$, and reaches neither",
     )
     page.say(
-        r"So $KT/2+|B|$ is the least upper bound over the open interval, and for $B\ne0$ it is "
-        "not attained: a wall with equality still satisfies (5) at every frequency. The strict "
-        r"sign of (6) excludes it; with $\ge$ in place of $>$ both agree. A negative $K$ can "
-        "satisfy both conditions, but is not passive."
+        "So $KT/2+|B|$ is the least upper bound of the required damping over the open interval. "
+        r"For $B\ne0$ this bound is not attained: a wall with equality still satisfies (5) at "
+        r"every frequency. The strict sign of (6) excludes this wall; with $\ge$ in place of $>$ "
+        "both conditions agree. A negative $K$ can satisfy both conditions, but is not passive."
     )
     agree = off_the_border(frequencies, sufficient, needed)
     border = {K: S.One, B: S.One, b: Rational(3, 2), T: S.One}
@@ -73,8 +73,8 @@ def derive(page):
         UNDELAYED,
         example=(easy, off),
         unless={OFF_BORDER: (border, sides, broken(And((form, same))))},
-        shows=r"(5) holds at every frequency, (6) says $\tfrac32>\tfrac32$",
-        note="the form for $d=0$ is right for all values; (6) needs the condition",
+        shows=r"(5) holds at every frequency, but (6) says $\tfrac32>\tfrac32$",
+        note="the form of (5) for $d=0$ is right for all values; (6) requires the condition",
     )
     both = taken_apart(page.claim("eq6"))[2]
     page.lemma(r"A wall with $K\ge0$ that meets (6) is passive", passive())
@@ -97,7 +97,7 @@ def derive(page):
         example=easy,
         unless={K >= 0: (pulled, runs), APART: (border, broken(both))},
         shows="a spring with $K=-1$ meets (6), but four unit steps gain 2",
-        note=r"with $\ge$ it describes the passive walls with $K\ge0$, including those with "
+        note=r"with $\ge$, (6) describes the passive walls with $K\ge0$, including those with "
         "equality",
     )
     upper_part(page)
@@ -110,6 +110,6 @@ def upper_part(page):
         "s3c-upper-part",
         found,
         example={K: S.One, B: S.One, b: S(2), T: S.One},
-        note="the condition that (5) becomes at the frequency of the largest damping "
-        "(\\texttt{s3c-bmax-frequency}); the lower part, for $B<0$, is $b>\\frac{KT}2-B$",
+        note="(5) has this form at the frequency of the largest damping "
+        r"(\texttt{s3c-bmax-frequency}); for $B<0$ the summary (6) is $b>\frac{KT}2-B$",
     )

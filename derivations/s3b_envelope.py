@@ -17,8 +17,9 @@ def derive(page):
     )
     stiffness, damping = passivity.envelope()
     page.say(
-        "Two neighbouring lines meet where both $F$ and $\\partial F/\\partial\\theta$ vanish: two "
-        "linear equations for $K$ and $B$, with one solution."
+        r"Two neighbouring lines meet at the point at which both $F$ and $\partial "
+        r"F/\partial\theta$ vanish. These are two linear equations for $K$ and $B$ with one "
+        "solution."
     )
     shared = sin(2 * (d + 1) * theta) - 2 * (d + 1) * sin(theta)
     nice_stiffness = page.step(
@@ -40,9 +41,11 @@ def derive(page):
         paper="7",
     )
     on_curve = {K: nice_stiffness, B: nice_damping}
-    page.step("The point lies on the line", line.subs(on_curve), S.Zero, name=r"F\big|_{(K,B)}")
     page.step(
-        "The envelope lies on the neighbouring line, too",
+        "$(K,B)$ lies on the line of its angle", line.subs(on_curve), S.Zero, name=r"F\big|_{(K,B)}"
+    )
+    page.step(
+        "$(K,B)$ lies on the neighbouring line, too",
         diff(line, theta).subs(on_curve),
         S.Zero,
         name=r"\partial F/\partial\theta\,\big|_{(K,B)}",
@@ -55,8 +58,8 @@ def derive(page):
         lines_of_angles,
     )
     page.say(
-        "Both coordinates are proportional to $b$. The product $KT$ does not contain $T$: the "
-        "stiffness is proportional to $1/T$, the sampling rate, and not to the period."
+        "Both coordinates are proportional to $b$. The product $KT$ does not contain $T$. So the "
+        "stiffness is proportional to the sampling rate $1/T$, and not to the period."
     )
     _scaled(page)
 
@@ -81,5 +84,5 @@ def _scaled(page):
         example=stiff,
         unless=[(stiff, broken)],
         shows="three times the period leaves a third of the stiffness",
-        note=r"at each angle $\omega T$",
+        note=r"this holds at each angle $\omega T$",
     )

@@ -20,17 +20,21 @@ def derive(page):
         need.subs(theta, pi / (d + 1)),
         K * T / 2 + B,
         name=r"\left.b_{\min}\right|_{\theta=\pi/(d+1)}",
-        because="the kernel is $\\tfrac12$ and the cosine $-1$ there, for every real $d$",
+        because=r"at this angle the coefficient of $KT$ is $\tfrac12$ and the cosine is $-1$, for "
+        "every real $d$",
     )
     stiffness, damping = (e.subs(theta, pi / (d + 1)) for e in passivity.envelope())
     page.step(
-        "The envelope ends there with no stiffness",
+        r"The envelope ends at $\theta=\pi/(d+1)$ without stiffness",
         stiffness,
         S.Zero,
         name=r"K|_{\theta=\pi/(d+1)}",
     )
     page.step(
-        "The border ends with the damping of the device", damping, b, name=r"B|_{\theta=\pi/(d+1)}"
+        "At this end the virtual damping equals the damping of the device",
+        damping,
+        b,
+        name=r"B|_{\theta=\pi/(d+1)}",
     )
     bottom = page.limit(
         "At low frequencies the border is this line",
@@ -47,19 +51,19 @@ def derive(page):
         name=r"F|_{K=0,\,B=-b}",
     )
     page.say(
-        r"For $K\ge0$ the first line gives $B\le b-KT/2\le b$, so the damping is largest at "
-        r"$(0,b)$; the low frequencies give $B\ge KT(d+\tfrac12)-b\ge-b$. But (5) also admits "
-        "negative stiffness, where its walls are not passive: there the boundary of (5) does not "
-        "end at these points, and larger damping satisfies (5)."
+        r"For $K\ge0$ the condition at $\theta=\pi/(d+1)$ gives $B\le b-KT/2\le b$, so the damping "
+        r"is largest at $(0,b)$. The low frequencies give $B\ge KT(d+\tfrac12)-b\ge-b$. But (5) "
+        "also admits walls of negative stiffness, which are not passive. For $K<0$ the boundary of "
+        "(5) continues beyond these points, and larger damping satisfies (5)."
     )
     _ends(page, Eq(K, stiffness), Eq(B, damping), Eq(K, S.Zero, evaluate=False), Eq(B, -b))
     page.say(
         r"The frequency $\omega=\pi/(T(d+1))$ lies inside the open interval for $d>0$ only. "
-        "Without delay it is the Nyquist frequency itself, and the value is a limit. (In "
+        "Without delay it is the Nyquist frequency itself, at which (5) holds only as a limit. (In "
         r"$\pi/T(d+1)$ the denominator is the whole product.)"
     )
     page.step(
-        "This is the first angle where the cosine is $-1$",
+        r"$\theta=\pi/(d+1)$ is the first angle at which the cosine is $-1$",
         cos((d + 1) * (pi / (d + 1))),
         -S.One,
         name=r"\cos(d+1)\theta",
@@ -93,7 +97,8 @@ def _ends(page, *derived):
         example=(soft, met[1]),
         unless={K >= 0: (beyond, *(met[0], not_intro(held, number(negated(order)), there)))},
         shows=r"$d=0$, $K=-1$, $B=\tfrac54b$ satisfies (5) at every frequency",
-        note="by (5), for every real $d$; with integer delays these are the passive walls",
+        note="the points limit the walls that meet (5), for every real $d$; with integer delays "
+        "these are the passive walls",
     )
 
 

@@ -1,8 +1,8 @@
 r"""Is the lower part of the passivity boundary a straight line?
 
 For small stiffness and negative damping the boundary in the $(K,B)$ plane looks straight. It is the
-line of the limit $\omega\to0$. We ask how far it reaches, and for which walls the simple condition
-of this line is sufficient.
+line of the limit $\omega\to0$. We ask how far this line reaches, and for which walls the condition
+of the line is sufficient.
 """
 
 from symhaptic.book.lemmas.linear_part import ends_at_corner, met_at_every_frequency, on_line
@@ -23,7 +23,7 @@ def derive(page):
     )
     stiffness, damping = passivity.envelope()
     end_stiffness = page.limit(
-        "The envelope ends on it, with this stiffness",
+        "The envelope ends on the line with this stiffness",
         stiffness,
         theta,
         S.Zero,
@@ -39,12 +39,13 @@ def derive(page):
         name=B,
     )
     page.say(
-        r"By \chapter{s3b_rise} no other frequency is stricter between $(0,-b)$ and this end: the "
-        r"line bounds the passive walls for every real $d\ge0$, with $y$ from 0 to 1 along it."
+        r"By \chapter{s3b_rise} no other frequency is stricter between $(0,-b)$ and the end of the "
+        r"envelope. So the line bounds the walls of (5) for every real $d\ge0$. In (8) a parameter "
+        "$y$ grows from 0 to 1 along the line."
     )
     on_line = {K: end_stiffness * y, B: (end_damping + b) * y - b}
     page.step(
-        "Every point of (8) lies on it",
+        "Every point of (8) lies on the line",
         line.subs(on_line),
         S.Zero,
         name=r"F\big|_{\text{(8)}}",
@@ -64,18 +65,17 @@ def _line(page, *derived):
     page.lemma(
         "A wall of (8) is passive, and requires exactly the damping $b$",
         on_line(*map(assume, then.of[1].body.of[2:])),
-        because="it lies between $(0,-b)$ and the corner of the envelope, which both leave a "
-        "margin at every angle",
+        because="the wall lies between $(0,-b)$ and the corner of the envelope, and neither of "
+        "them has a negative margin at any angle",
     )
     page.lemma(
         "A wall of the boundary with at most the damping of the end of (8) lies on the line (8)",
         on_the_line(),
-        because="a wall with a margin to the line has a margin at every angle, and would be "
-        "passive "
-        "with less damping",
+        because="a passive wall off the line has a positive margin at every angle, and would be "
+        "passive with less damping of the device",
     )
     found = page.lemma(
-        "Up to the damping of this end the boundary is the line (8)",
+        "Up to the damping of its end the line (8) is the boundary",
         lower_boundary(then),
         boxed=True,
     )
@@ -87,7 +87,7 @@ def _line(page, *derived):
         example=late | {d: S.Zero, B: -S.Half},
         unless={whole(d): (late, _gains(then.at(late), Rational(8, 9)))},
         shows="with a delay of half a period, the wall $K=b/T$, $B=0$ on this line delivers energy",
-        note="bounds the walls that satisfy (5) for every real $d$",
+        note="(8) bounds the walls that satisfy (5) for every real $d$",
     )
 
 
@@ -117,5 +117,5 @@ def _lower_part(page):
         example=bottom | {y: S.One},
         unless={top: (bottom, denied)},
         shows=r"(7) tends to $K=\tfrac45b/T$, not to the point $(0,-b)$ of (8)",
-        note="that the lower part is linear holds for every real $d\\ge0$",
+        note=r"the lower part of the boundary is linear for every real $d\ge0$",
     )

@@ -1,8 +1,8 @@
 """For which walls is the stiffness limited by damping over delay?
 
 Solved for the stiffness, the straight lower part of the boundary is the total damping divided by
-the total delay, including half a period for the hold. We ask for which damping this condition is
-exact.
+the total delay. The total delay includes half a period for the hold. We ask for which damping this
+bound of the stiffness is exact.
 """
 
 from symhaptic.book.lemmas.linear_part import LOW, at_corner, decides
@@ -17,7 +17,7 @@ def derive(page):
         r"$F=b+B-(d+\frac12)KT$ for $\theta\to0$. The line is $F=0$."
     )
     limit_of_k = page.step(
-        "Solved for the stiffness the line is damping over delay",
+        "Solved for the stiffness, the line is the damping divided by the delay",
         (b + B) / (T * (d + Rational(1, 2))),
         2 * (b + B) / (T * (2 * d + 1)),
         name=r"\frac{b+B}{(d+\frac12)T}",
@@ -30,9 +30,9 @@ def derive(page):
         name=r"F\big|_{K=(b+B)/((d+1/2)T)}",
     )
     page.say(
-        "For damping in the stated range the low frequencies are the strictest, and the "
-        "condition is exact except for equality. It does not apply to negative $K$, for which (5) "
-        "can fail at higher frequencies."
+        "For damping in the range of (9) the low frequencies are the strictest, and (9) is exact "
+        "except for equality. The condition (9) does not apply to negative $K$, because (5) can "
+        "then fail at higher frequencies."
     )
     _condition(page, limit_of_k > K)
 
@@ -67,15 +67,17 @@ def _condition(page, nine):
             nine,
             example=easy,
             unless={but: (at, not_alike(then, at, motion)) for at, motion, but in cases},
-            shows=r"with a delay of half a period, $K=b/(1.01\,T)$ meets it and delivers energy",
+            shows=r"with a delay of half a period, $K=b/(1.01\,T)$ meets the condition and "
+            "delivers energy",
             note=NOTES[id],
         )
 
 
 NOTES = {
-    "eq9": r"equality satisfies (5) too, except for $d=0$, $B=0$: (5) excludes $\omega=0$",
-    "eq10": "read with the range of damping of (9); for more damping it is necessary only "
-    "(rules:damping-over-delay)",
+    "eq9": r"walls with equality in (9) satisfy (5), too, because (5) excludes $\omega=0$; the "
+    "only exception is $d=0$, $B=0$",
+    "eq10": "we read (10) with the range of damping of (9); for more damping (10) is only "
+    r"necessary (\texttt{rules:damping-over-delay})",
 }
 
 

@@ -1,7 +1,7 @@
 """What is the largest stiffness that can be passive?
 
-It is the rightmost point of the boundary. There the coefficient of the damping in the condition
-vanishes. This gives the frequency, and with it the wall.
+It is the rightmost point of the boundary. At this point the coefficient of the virtual damping in
+the condition vanishes. This gives the frequency and the wall.
 """
 
 from symhaptic.book.lemmas.motions import half_late, not_passive
@@ -35,11 +35,11 @@ def derive(page):
     left = b - need.subs(theta, angle)
     largest = -left.subs(K, 0) / diff(left, K)
     stiffness = page.step(
-        "At that angle the condition limits the stiffness alone",
+        r"At $\theta=\pi/(2(d+1))$ the condition limits only the stiffness",
         largest,
         2 * b / T * tan(pi / (4 * (d + 1))),
         name=K,
-        because="the condition no longer contains the damping",
+        because="at this angle the condition does not contain the virtual damping",
         boxed=True,
         paper="11",
     )
@@ -49,10 +49,10 @@ def derive(page):
         on_curve[0] - stiffness,
         S.Zero,
         name=r"K\big|_{\text{(7)}}-K",
-        because=r"the envelope (7) has this stiffness at the angle of the step before",
+        because=r"(7) at the angle $\theta=\pi/(2(d+1))$ gives the stiffness of the previous step",
     )
     damping = page.step(
-        "The largest stiffness takes this damping",
+        "The wall of maximum stiffness has this damping",
         on_curve[1],
         b * (cos(angle) - d / (d + 1)) / sin(angle),
         name=B,
@@ -61,16 +61,16 @@ def derive(page):
         "and falls beyond it, for every real $d>0$",
     )
     _stiffest(page, Eq(K, stiffness), Eq(B, damping))
-    page.say("Relative to the undelayed wall, whose largest stiffness is $2b/T$:")
+    page.say("Without delay the largest stiffness is $2b/T$. A delay leaves this share of it:")
     share = stiffness / stiffness.subs(d, 0)
     one = page.step(
-        r"One period of delay leaves 41\,\%",
+        r"One period of delay leaves 41\,\% of the stiffness",
         share.subs(d, 1),
         sqrt(2) - 1,
         name=r"K_{\max}(1)/K_{\max}(0)",
     )
     two = page.step(
-        r"Two periods of delay leave 27\,\%",
+        r"Two periods of delay leave 27\,\% of the stiffness",
         share.subs(d, 2),
         2 - sqrt(3),
         name=r"K_{\max}(2)/K_{\max}(0)",
@@ -94,29 +94,28 @@ def _frequency(page, derived):
         found,
         derived,
         example={T: S.One, d: S.Zero, omega: pi / 2},
-        note="for $d=0$ every frequency gives this point, which is then a corner. The "
-        "denominator is the whole product after the slash",
+        note="for $d=0$ every frequency gives this point, which is then a corner. In the formula "
+        "of the paper the denominator is the whole product after the slash",
     )
 
 
 def _stiffest(page, *derived):
     """(11) is passive, and no passive wall is stiffer, with integer delays."""
     page.lemma(
-        "No passive wall is stiffer",
+        "No passive wall is stiffer than (11)",
         bound(),
-        because="by \\chapter{s3a_passivity_condition} its margin is not negative at "
-        "$\\theta=\\pi/(2(d+1))$, where $\\cos(d+1)\\theta=0$ and "
-        "$\\sin(d+\\frac12)\\theta=\\cos\\frac\\theta2$: that is "
-        "$b\\ge\\frac12KT\\cot\\frac\\theta2$",
+        because=r"by \chapter{s3a_passivity_condition} the margin of a passive wall is not "
+        r"negative at $\theta=\pi/(2(d+1))$. At this angle $\cos(d+1)\theta=0$ and "
+        r"$\sin(d+\frac12)\theta=\cos\frac\theta2$, so that $b\ge\frac12KT\cot\frac\theta2$",
     )
     _, given, then = taken_apart(CLAIMED["eq11"](PRINTED))
     found = page.lemma(
         "The wall of (11) is passive and has the maximum stiffness",
         stiffest_wall(*map(assume, given[-2:])),
-        because=r"by \chapter{s3b_rise} the stiffness of the envelope is smaller on either side "
-        r"of this angle. So the margin of this wall, divided by $\cos(d+1)\theta$, changes from "
-        "plus to minus there, and the margin itself is not negative. The same chapter shows this "
-        "for larger angles. By the previous step no passive wall is stiffer",
+        because=r"by \chapter{s3b_rise} the stiffness of the envelope is smaller on either side of "
+        r"this angle. So the margin of this wall, divided by $\cos(d+1)\theta$, changes from plus "
+        "to minus at this angle, and the margin itself is not negative. The same chapter shows "
+        "this for larger angles. By the previous step no passive wall is stiffer",
         boxed=True,
     )
     at_half = {d: S.Half, T: S.One, b: S.One}
@@ -128,7 +127,7 @@ def _stiffest(page, *derived):
         example={d: S.Zero, T: S.One, b: S.One, K: S(2), B: S.Zero},
         unless={whole(d): (wall, not_passive(then, wall, half_late(Rational(17, 10))))},
         shows="with a delay of half a period, this wall delivers energy in 60 periods",
-        note="the largest stiffness that satisfies (5), for every real $d$",
+        note="for every real $d$, (11) is the largest stiffness that satisfies (5)",
     )
 
 

@@ -1,7 +1,8 @@
 r"""What do the plots of the passive walls show?
 
-Fig. 4 of the paper draws the boundary for seven delays, two of them fractions of a period. Its
-shape is derived in \chapter{s3b_rise}. For which delays are these the passive walls?
+Fig. 4 of the paper draws the boundary for seven delays, two of them fractions of a period. The
+shape of this boundary is derived in \chapter{s3b_rise}. For which delays do these curves bound the
+passive walls?
 """
 
 from symhaptic.book.figures.passivity import passive_regions
@@ -31,7 +32,7 @@ def derive(page):
     tip = [e.subs(theta, angle) for e in (stiffness, damping)]
     page.say(
         "In units of $b$ and $T$ each curve of Fig. 4 is a straight line from $(0,-1)$ to a "
-        "corner. From there it curves to its tip and ends at $(0,1)$."
+        "corner. From the corner the boundary curves to its tip and ends at $(0,1)$."
     )
     delay = 3 * y / (1 - 2 * y)
     dashed = page.step(
@@ -39,7 +40,7 @@ def derive(page):
         corner[0].subs(d, delay),
         2 * (1 + y) * (1 - 2 * y) / (1 + 4 * y),
         name=r"\frac{K_cT}{b}",
-        because="an arc of a hyperbola from $(2,0)$ to $(0,\\tfrac12)$",
+        because=r"the corners lie on an arc of a hyperbola from $(2,0)$ to $(0,\tfrac12)$",
     )
     page.same("the corner's damping", corner[1].subs(d, delay), y)
     tips = page.step(
@@ -47,7 +48,7 @@ def derive(page):
         tip[0],
         2 * tan(angle / 2),
         name=r"\frac{K_{\max}T}{b}",
-        because="this is Fig. 5; it falls with every delay",
+        because="this is the curve of Fig. 5, which falls with the delay",
     )
     low = (cos(angle) - d / (d + 1)) / sin(angle)
     page.step(
@@ -61,8 +62,9 @@ def derive(page):
     far = {d: 1 / h - 1}
     title, share = "For long delays the tips fall like $\\pi h/2$", r"\frac{K_{\max}T}{bh}"
     page.limit(title, tips.subs(far) / h, h, S.Zero, pi / 2, name=share)
-    because = "with $h=1/(d+1)$; the corners run into $(0,\\tfrac12)$"
-    title, share = "Their damping tends to a constant", r"\frac Bb\Big|_{K_{\max}}"
+    because = r"we write $h=1/(d+1)$; the corners tend to $(0,\tfrac12)$"
+    title = "For long delays the damping of the tips tends to a constant"
+    share = r"\frac Bb\Big|_{K_{\max}}"
     page.limit(title, low.subs(far), h, S.Zero, 2 / pi, name=share, because=because)
     fractions(page)
     page.figure(
@@ -86,8 +88,8 @@ def row(text, *values):
 def fractions(page):
     """On the straight part, a fractional delay leaves the passive walls."""
     page.say(
-        "For integer delays the walls inside are the passive ones. A fractional delay, "
-        r"$d=\ell+\varepsilon$, has another condition, $D\ge0$ "
+        "For integer delays the walls inside the curve are the passive ones. For a fractional "
+        r"delay, $d=\ell+\varepsilon$, passivity requires another condition, $D\ge0$ "
         r"(\chapter{s6d_fractional_passivity})."
     )
     line = {B: K * T * (l + epsilon + Rational(1, 2)) - b}
@@ -128,7 +130,8 @@ def _curves(page):
         example=(case | {d: S.Zero}, disj(identity(S.Zero, S.Zero), none)),
         unless={whole(d): (case, disj(identity(S.Half, S.Half), some), denied)},
         shows="with a delay of half a period, the tip of the curve for $d=0.5$ delivers energy",
-        note="five of the seven curves are what the caption says, the other two are (5)",
+        note="five of the seven curves show what the caption says; the other two, for fractional "
+        "delays, bound the walls of (5)",
     )
 
 

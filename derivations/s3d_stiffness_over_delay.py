@@ -1,6 +1,6 @@
 """How does the largest passive stiffness fall with the delay?
 
-Fig. 5 of the paper plots the stiffness of (11) over the delay. For which delays is it the largest
+Fig. 5 of the paper plots the stiffness of (11) over the delay. For which delays is this the largest
 passive stiffness?
 """
 
@@ -21,13 +21,14 @@ def derive(page):
         passivity.envelope()[0].subs(theta, angle) * T / b,
         2 * tan(angle / 2),
         name=r"\frac{K_{\max}T}{b}",
-        because="the tip of the envelope, at which the damping drops out",
+        because="the tip is the point of the envelope at which the damping drops out of the "
+        "condition",
     )
     page.lemma(
-        "With half a period of delay the wall $K=1.17\\,b/T$, $B=0.32\\,b$ is passive",
+        r"With a delay of half a period the wall $K=1.17\,b/T$, $B=0.32\,b$ is passive",
         passive_with(Rational("1.17"), Rational("0.32")),
-        because="so the largest passive stiffness exceeds the value of Fig. 5 at this delay, "
-        r"$2\tan\frac\pi6=1.1547$",
+        because="the largest passive stiffness therefore exceeds the value of Fig. 5 at this "
+        r"delay, $2\tan\frac\pi6=1.1547$",
     )
     page.figure(
         "fig5", "Fig. 5 of the paper: the largest stiffness that satisfies (5).", largest_stiffness
@@ -48,5 +49,5 @@ def _tips(page):
         unless={whole(d): (TIP, not_passive(then, TIP, half_late(Rational(17, 10))))},
         shows="with a delay of half a period the wall of (11) delivers energy, and a wall with "
         "$KT/b=1.17$ can be passive, although the curve has 1.1547 there",
-        note="with the delay rounded up the curve is always safe",
+        note="if the delay is rounded up, the curve is always safe",
     )

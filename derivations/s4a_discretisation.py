@@ -1,8 +1,8 @@
 r"""What does the device do between two samples?
 
-A force that is held for a period drives a mass with a damper and a spring. We solve the motion
-over one period exactly; sampled once per period it is a transfer function in $z$ that agrees
-with the continuous motion at every sample.
+A force that is held for a period drives a mass with a damper and a spring. We solve the motion over
+one period exactly. Its samples give a transfer function in $z$ that agrees with the continuous
+motion at every sampling instant.
 """
 
 from sympy import Matrix, zeros
@@ -27,9 +27,9 @@ DELAYS = r"e^{-dT_s} \hat{=} z^{-d}", r"e^{-d\changed{Ts}} \hat{=} z^{-d}"
 def derive(page):
     plant = Plant()
     page.say(
-        r"Newton's law $m\ddot x+b\dot x+kx=F$ has the state matrix $A$; with poles $s_1,s_2$, "
-        r"Putzer's formula gives $e^{At}=e^{s_1t}+(A-s_1)\,(e^{s_1t}-e^{s_2t})/(s_1-s_2)$. It is "
-        "verified here:"
+        r"Newton's law $m\ddot x+b\dot x+kx=F$ has the state matrix $A$ and the poles $s_1$ and "
+        r"$s_2$. Putzer's formula gives $e^{At}=e^{s_1t}+(A-s_1)\,(e^{s_1t}-e^{s_2t})/(s_1-s_2)$. "
+        "We verify this formula:"
     )
     law = plant.state_matrix
     phi, held = plant.transition(t), plant.held(t)
@@ -59,7 +59,7 @@ def derive(page):
         name=c_1,
         paper="13",
     )
-    page.say("The poles' images $e^{s_1T}$ and $e^{s_2T}$ are $c_3$ and $c_2$:")
+    page.say("Sampling maps the poles $s_1$ and $s_2$ to $e^{s_1T}=c_3$ and $e^{s_2T}=c_2$:")
     page.step(
         "The faster pole gives $c_2$", exp(two), exp(-(b * T / m + c_1) / 2), name=c_2, paper="13"
     )
@@ -69,23 +69,24 @@ def derive(page):
     page.settle("eq13", Eq(c_1, unit.split), Eq(c_2, exp(two)), Eq(c_3, exp(one)), definition=True)
 
     page.say(
-        "The samples obey $x_{k+1}=\\Phi x_k+\\Gamma F_k$ with $\\Phi=e^{AT}$, so the transfer "
-        "function is $(1,0)(z-\\Phi)^{-1}\\Gamma$. Written with $c_1,c_2,c_3$:"
+        r"The samples obey $x_{k+1}=\Phi x_k+\Gamma F_k$ with $\Phi=e^{AT}$, so the transfer "
+        r"function is $(1,0)(z-\Phi)^{-1}\Gamma$. In terms of $c_1$, $c_2$ and $c_3$ it is:"
     )
     device = sampled(unit, split=c_1)
     exact = T**2 / m * device.transfer
     (form,) = read(CORRECTED)
     page.step(
-        "The discrete equivalent is the published one with a factor $m/T$",
+        "The discrete equivalent is (12) with an additional factor $m/T$",
         exact,
         form,
         name=function("P")(z),
         paper="12",
     )
     page.say(
-        "The last summand of the numerator needs the factor $m/T$ that (12) lacks: without it a "
-        "damping is added to a squared damping, so that the result depends on the units. The "
-        "form is $0/0$ for $k=0$ and at critical damping, where the motion itself is regular."
+        "The last term of the numerator needs the factor $m/T$, which is missing in (12). Without "
+        "this factor (12) adds a damping to a squared damping, and the result depends on the "
+        "units. The formula is $0/0$ for $k=0$ and at critical damping, although the motion itself "
+        "is regular."
     )
     swing = FREE | {m: S(2), b: S(4), k: Rational(3, 2)}
     claim = page.claim("eq12")
@@ -98,16 +99,15 @@ def derive(page):
         corrected=(WHOLE,),
         example=shown_at(corrected, SWINGING, *apart),
         unless=[fails(claim, swing)],
-        shows=r"differs at $T=1$, $m=2$, $b=4$, $k=\tfrac32$ ($c_1=1$), $z=2$: 0.1882 as "
-        r"published, "
-        "0.1366 of the device",
-        note="$0/0$ for $k=0$ and for $b^2=4km$",
+        shows=r"at $T=1$, $m=2$, $b=4$, $k=\tfrac32$ ($c_1=1$), $z=2$ the published form gives "
+        "0.1882, but the device has 0.1366",
+        note="the corrected formula is $0/0$ for $k=0$ and for $b^2=4km$",
     )
     _delay(page)
 
 
 def _delay(page):
-    page.say("A delay of $d$ periods multiplies by $e^{-dTs}$, and with $z=e^{Ts}$:")
+    page.say("A delay of $d$ periods is the factor $e^{-dTs}$. We write $z=e^{Ts}$:")
     page.define("A shift by one period is a factor $z$", z, exp(T * s))
     page.step(
         "On the unit circle the delay changes only the phase",
@@ -118,7 +118,8 @@ def _delay(page):
     page.lemma(
         "A force that is delayed by an integer number of periods is $z^{-d}$ times the force",
         late_answer(),
-        because="for every device, whatever its spring and damper",
+        because="the response of every device is shifted by $d$ samples, with any spring and any "
+        "damper",
     )
     claim, corrected = (CLAIMED["s4a-delay-equivalent"](read(p)) for p in DELAYS)
     free = FREE | {d: S.One, T_s: S(2)}
@@ -131,6 +132,6 @@ def _delay(page):
         unless=[fails(claim, free)],
         shows="at $d=T=1$, $T_s=2$ the response of a free mass would be multiplied by $e^{-2}$ and "
         r"not by $\tfrac12$",
-        note="possibly an error of the text conversion: $T_s$ for $Ts$; exact at the samples for "
-        "integer delays",
+        note="the text conversion may have replaced $Ts$ by $T_s$; the equivalence is exact at the "
+        "samples for integer delays",
     )

@@ -1,7 +1,7 @@
 r"""Does the sampled loop move exactly like the real one at the sampling instants?
 
 The paper replaces the device by its samples and the delay by $z^{-d}$, and says that the behaviour
-at the sampling instants stays exactly the same. For which forces and which delays?
+at the sampling instants stays exactly the same. For which forces and which delays is this true?
 """
 
 from sympy import integrate
@@ -18,10 +18,10 @@ from symhaptic.proof.theorems.samples import turns
 def derive(page):
     device, given = normalised(FULL), {gamma: (delta**2 - c**2) / 4}
     page.say(
-        r"Over a period the state moves as $x_{k+1}=\Phi x_k+\Gamma F_k$ if the force $F_k$ is "
-        "held all the time. This recursion contains the samples only. Two consecutive periods "
-        r"are one period of twice the length, $\Phi(2)=\Phi(1)\Phi(1)$, and a force that is held "
-        "for both has the same effect as two equal forces, "
+        r"If the force $F_k$ is held during a period, the state changes to $x_{k+1}=\Phi "
+        r"x_k+\Gamma F_k$. This recursion contains the samples only. Two consecutive periods act "
+        r"as one period of twice the length, $\Phi(2)=\Phi(1)\Phi(1)$. A force that is held for "
+        "both periods has the same effect as two equal forces, "
         r"$\Gamma(2)=\Phi(1)\Gamma(1)+\Gamma(1)$."
     )
     one = [part(S.One, c).xreplace(given) for part in (device.transition, device.held)]
@@ -29,10 +29,10 @@ def derive(page):
     page.same("motion", two[0], one[0] * one[0])
     page.same("push", two[1], one[0] * one[1] + one[1])
     page.say(
-        "An integer delay of $d$ periods puts $F_{k-d}$ in place of $F_k$; the force is still "
-        "held from one sampling instant to the next. So for integer delays, and as long as the "
-        "external force is held too, the samples are exact. We now drop one of the two assumptions "
-        "at a time, for a free mass in units of mass and period."
+        "An integer delay of $d$ periods replaces $F_k$ by $F_{k-d}$; this force is still held "
+        "from one sampling instant to the next. So the samples are exact for integer delays if the "
+        "external force is held, too. We now drop one of the two assumptions at a time, for a free "
+        "mass in units of mass and period."
     )
     free = normalised(Parts(stiffness=False, damping=False))
     page.step(
@@ -40,15 +40,15 @@ def derive(page):
         integrate(free.transition(1 - t)[0, 1] * t, (t, 0, 1)),
         Rational(1, 6),
         name="x_1",
-        because="according to the samples, $F_0=0$, the mass would not move",
+        because="the sampled model uses the force $F_0=0$, so that the mass would not move",
     )
     page.step(
-        "A held force with a fractional delay is not the shifted one",
+        "With a fractional delay a held force already moves the mass within the first period",
         free.held(1 - d)[0],
         (1 - d) ** 2 / 2,
         name="x_1",
-        because="a period after the sample, for $d\\le1$; $z^{-d}P(z)$ begins with $z^{-d-1}$ and "
-        "says 0 for every $d>0$",
+        because=r"for $d\le1$ a unit force has acted for the time $1-d$. $z^{-d}P(z)$ begins with "
+        "$z^{-d-1}$ and predicts no motion for $d>0$",
     )
     _settle(page)
 
@@ -68,5 +68,5 @@ def _settle(page):
         unless=[fails(claim, FREE | {d: S.Half, z: 4}, but=whole(d))],
         shows="with a delay of half a period, the response of a free mass at $z=4$ differs from "
         "that of $z^{-1/2}$",
-        note="and for an external force that is held, as the paper says",
+        note="the external force has to be held as well, as the paper says",
     )

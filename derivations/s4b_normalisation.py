@@ -15,17 +15,17 @@ from symhaptic.model.plant import sampled
 def derive(page):
     page.say(
         "Let time run in periods, so that $s$ becomes $s/T$, and measure forces per length in "
-        "units of $m/T^2$. Newton's law and the wall become"
+        "units of $m/T^2$. Newton's law and the wall then become:"
     )
     motion = page.step(
-        "The device has two numbers, $\\gamma$ and $\\delta$",
+        r"Two numbers, $\gamma$ and $\delta$, describe the device",
         Plant().characteristic.subs(s, s / T) * T**2 / m,
         s**2 + b * T / m * s + k * T**2 / m,
         name=r"\tfrac{T^2}{m}\bigl(m\tfrac{s^2}{T^2}+b\tfrac sT+k\bigr)",
     )
     page.define("The wall, (1)", Function("H")(z), wall.transfer())
     force = page.step(
-        "The wall has two numbers, $\\alpha$ and $\\beta$",
+        r"Two numbers, $\alpha$ and $\beta$, describe the wall",
         wall.transfer() * T**2 / m,
         K * T**2 / m + B * T / m * (1 - 1 / z),
         name=r"\tfrac{T^2}{m}H",
@@ -60,9 +60,9 @@ def derive(page):
     ):
         page.step(title, theirs, form, name=name)
     page.say(
-        r"so that the device is $P(z)=\frac{T^2}{m}(n_1z+n_0)/(z^2-az+e)$. The forms of $n_1$ and "
-        r"$n_0$ are $0/0$ for $\gamma=0$, a device without an arm, and for $c_1=0$. The values "
-        "there are finite:"
+        r"So the device is $P(z)=\frac{T^2}{m}(n_1z+n_0)/(z^2-az+e)$. The formulas for $n_1$ and "
+        r"$n_0$ are $0/0$ for a device without an arm ($\gamma=0$) and at critical damping "
+        "($c_1=0$). Their limits are finite:"
     )
     alone = sampled(plant.normalised(Parts(stiffness=False)))
     fade, half = exp(-delta), exp(-delta / 2)
@@ -86,7 +86,8 @@ def derive(page):
             delta,
             free / delta**2,
             name=name,
-            because="$c_1\\to\\delta$ is $\\gamma\\to0$; the same as derived without a spring",
+            because=r"$c_1\to\delta$ means $\gamma\to0$; a derivation without a spring gives the "
+            "same value",
         )
         page.same("without a spring", small, free / delta**2)
     form = Eq(1 / (m * s**2 + b * s + k), T**2 / m * device.transfer)
@@ -106,7 +107,7 @@ def _equivalent(page, form):
             fails(claim, UNHELD, holds=apart[:1], but=apart[1]),
             fails(claim, CRITICAL, holds=apart[1:], but=apart[0]),
         ],
-        shows="$0/0$ for a device without an arm, which (22) and (23) admit",
+        shows="(14) is $0/0$ for a device without an arm, which (22) and (23) admit",
     )
 
 

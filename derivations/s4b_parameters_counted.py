@@ -26,18 +26,19 @@ def derive(page):
         "three units vanish. These are three equations for seven exponents."
     )
     rank = page.step(
-        "The units of the seven have rank two",
+        "The units of the seven parameters have rank two",
         Integer(powers.rank()),
         Integer(2),
         name=r"\text{rank}",
-        because="the metre does not occur: force and length are scaled together in a linear loop",
+        because="the metre does not occur, since a linear loop contains force and length only as a "
+        "ratio",
     )
     left = page.step(
         "Five dimensionless numbers are independent",
         len(names) - rank,
         Integer(5),
         name=r"7-\text{rank}",
-        because="the number of dimensionless parameters, by Buckingham's theorem",
+        because="by Buckingham's theorem the difference is the number of dimensionless parameters",
     )
     rules = [read(row.dimensionless)[0] for row in TABLE_I if row.dimensionless is not None]
     chosen = Matrix([[r.rhs.as_powers_dict()[Symbol(name)] for name in names] for r in rules])
@@ -49,9 +50,9 @@ def derive(page):
     page.same("pure numbers", chosen * powers, zeros(len(rules), len(units)))
     page.same("independent", Integer(chosen.rank()), left)
     page.say(
-        "The product of both tables is zero, so that all five are dimensionless, and the rank of "
-        "the second is five: none of them follows from the others. So the loop depends on these "
-        "five, and on mass and period only as units."
+        "The product of both tables is zero, so that all five numbers are dimensionless. The rank "
+        "of the second table is five, so that none of the numbers follows from the others. So the "
+        "loop depends on these five numbers, and mass and period are only units."
     )
     _settle(page)
 
@@ -60,12 +61,15 @@ def _settle(page):
     """A loop of seven parameters answers as that of five, in units of its mass and period."""
     then = taken_apart(page.claim("s4b-seven-to-five"))[2]
     device = page.lemma(
-        "In units of its mass and of the period a device has two numbers", in_own_units()
+        "In units of its mass and of the period, two numbers describe a device", in_own_units()
     )
-    wall = page.lemma("In the same units a wall has two numbers", scaled_wall(then.of[1]))
+    wall = page.lemma(
+        "In units of the mass and of the period, two numbers describe a wall",
+        scaled_wall(then.of[1]),
+    )
     page.settle(
         "s4b-seven-to-five",
         conj(device, wall),
         example=SEVEN,
-        note="no choice of units leaves fewer than five",
+        note="no choice of units leaves fewer than five parameters",
     )

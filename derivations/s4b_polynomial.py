@@ -19,9 +19,9 @@ def derive(page):
     short = (z**2 - a * z + e) * z ** (d + 1) + (n_1 * z + n_0) * ((alpha + beta) * z - beta)
     plain = (n_1 * z + n_0) / (z**2 - a * z + e)
     push = ((alpha + beta) * z - beta) / z ** (d + 1)
-    page.say("With the sampled device $P$ and the delayed wall, in units of $m$ and $T$:")
+    page.say("The loop has the sampled device $P$ and the delayed wall, in units of $m$ and $T$:")
     page.step(
-        "In these numbers the delayed wall has no unit",
+        "In units of $m/T^2$ the delayed wall is dimensionless",
         wall.normalised(FULL)[0] / wall.normalised(FULL)[1],
         (alpha + beta * (1 - 1 / z)) * z ** (-d),
         name=r"\tfrac{T^2}{m}H_d(z)",
@@ -31,12 +31,13 @@ def derive(page):
         plain / (1 + plain * push),
         (n_1 * z + n_0) * z ** (d + 1) / short,
         name=r"\tfrac{m}{T^2}G_x",
-        because="$P/(1+PHz^{-d})$, both sides multiplied by the two denominators",
+        because="numerator and denominator of $P/(1+PHz^{-d})$ are multiplied by the denominators "
+        "of $P$ and $Hz^{-d}$",
         paper="16",
     )
     page.say("The denominator is monic for every device:")
     page.step(
-        "The characteristic polynomial, with the highest coefficient 1",
+        "The characteristic polynomial has the leading coefficient 1",
         loop.closing(plant.Sampled(n_1, n_0, a, e)),
         short,
         name="p_1(z)",
@@ -45,21 +46,21 @@ def derive(page):
     n, p, closed = function("n")(z), function("p")(z), function("G_x")(z)
     scale = -2 * c_1 * gamma
     top, bottom = scale * device.numerator, scale * loop.characteristic(split=c_1)
-    page.say("The abbreviations (15) of the paper are")
+    page.say("The paper uses the abbreviations (15):")
     for title, name, meaning in (
         ("The difference of the poles", c_1, sqrt(delta**2 - 4 * gamma)),
-        ("the image of the faster pole", c_2, exp(-(delta + c_1) / 2)),
-        ("and that of the slower one", c_3, exp(-(delta - c_1) / 2)),
+        ("The image of the faster pole", c_2, exp(-(delta + c_1) / 2)),
+        ("The image of the slower pole", c_3, exp(-(delta - c_1) / 2)),
     ):
         page.define(title, name, meaning)
     [seventeen], [eighteen] = STATEMENTS["eq17"].printed, STATEMENTS["eq18"].printed
-    page.define("With them the paper writes the numerator (17)", n, seventeen.rhs)
-    page.define("and the denominator (18)", p, eighteen.rhs)
+    page.define("The numerator (17) of the paper", n, seventeen.rhs)
+    page.define("The denominator (18) of the paper", p, eighteen.rhs)
     page.same("(18) is p_1 times a factor", eighteen.rhs, bottom)
     page.say(
-        r"With the device's $n_1$, $n_0$, $a$ and $e$ this is $p(z)=-2c_1\gamma\,p_1(z)$. The "
-        "factor vanishes for a device without an arm and at critical damping, so that $n(z)$ and "
-        "$p(z)$ vanish identically."
+        r"For the device's $n_1$, $n_0$, $a$ and $e$ we find $p(z)=-2c_1\gamma\,p_1(z)$. The "
+        r"factor $-2c_1\gamma$ vanishes for a device without an arm and at critical damping, so "
+        "that $n(z)$ and $p(z)$ vanish identically."
     )
     _settle(page, "eq17", Eq(n, top), r"$n(z)\equiv0$ for a device without an arm", late=False)
     _settle(
@@ -68,7 +69,7 @@ def derive(page):
         Eq(p, bottom),
         r"$p(z)\equiv0$ for a device without an arm: every $z$ would be a pole",
     )
-    _settle(page, "eq16", Eq(closed, loop.closed(split=c_1)), "$0/0$ for a device without an arm")
+    _settle(page, "eq16", Eq(closed, loop.closed(split=c_1)), "(16) is $0/0$ without an arm")
     _scenes(page)
 
 
@@ -105,12 +106,13 @@ def _points(claim, conditions):
 
 def _scenes(page):
     page.say(
-        "A loop without spring, damper, virtual damping or delay has a smaller polynomial. It "
-        "is derived without the missing part and shown to be the limit of the larger one."
+        "A loop without spring, damper, virtual damping or delay has a smaller polynomial. We "
+        "derive it without the missing part and show that it is the limit of the larger polynomial."
     )
     page.say(
-        "Under a unit force the free mass moves by half a unit in the first period. With a damper "
-        r"its speed decays. With a spring it oscillates with $\Omega=\sqrt\gamma$."
+        "Under a unit force a free mass moves by half a unit in the first period. With a damper "
+        "the speed of the mass decays. With a spring the mass oscillates with the frequency "
+        r"$\Omega=\sqrt\gamma$."
     )
     free, damped = (
         plant.sampled(plant.normalised(parts))
@@ -119,7 +121,7 @@ def _scenes(page):
     swinging = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
     swings = swinging.transfer.subs(gamma, Omega**2)
     still = page.step(
-        "The four coefficients of a free mass",
+        "The four coefficients of a free mass are rational numbers",
         free.transfer,
         (z + 1) / (2 * (z - 1) ** 2),
         name=r"P(z)\big|_{\gamma=\delta=0}",
@@ -137,7 +139,7 @@ def _scenes(page):
         (1 - cos(Omega)) * (z + 1) / (Omega**2 * (z**2 - 2 * cos(Omega) * z + 1)),
         name=r"P(z)\big|_{\delta=0}",
     )
-    page.say("Each is the limit of a larger one, by exact series:")
+    page.say("By exact series, each of these transfer functions is the limit of a larger one:")
     general = plant.sampled(plant.normalised(Parts()), split=c).transfer.subs(
         gamma, (delta**2 - c**2) / 4
     )
@@ -148,16 +150,16 @@ def _scenes(page):
         delta,
         fading,
         name="P",
-        because="$c\\to\\delta$ is $\\gamma\\to0$, since $c^2=\\delta^2-4\\gamma$",
+        because=r"$c\to\delta$ means $\gamma\to0$, since $c^2=\delta^2-4\gamma$",
     )
     page.limit(
-        "With the damper removed it is the mass on a spring",
+        "With the damper removed the device is the mass on a spring",
         general.subs(c, 2 * I * Omega),
         delta,
         S.Zero,
         swinging,
         name="P",
-        because="along $\\gamma=\\Omega^2+\\delta^2/4$, that is $c=2j\\Omega$",
+        because=r"the limit is taken along $\gamma=\Omega^2+\delta^2/4$, that is $c=2j\Omega$",
     )
     page.limit(
         "Without its damper the damped mass is free",
@@ -209,14 +211,14 @@ def _scenes(page):
             _limit(page, parts, name, larger, smaller)
             count += 1
     page.say(
-        f"The characteristic polynomials of all {len(ALL)} scenes follow from these and from the "
-        f"wall; each of the {count} ways to leave out one part is checked to be a limit. Without "
-        "virtual damping the polynomial loses a root at 0, which has no effect; without delay it "
-        "loses the power of $z$."
+        f"The characteristic polynomials of all {len(ALL)} scenes follow from these four and from "
+        f"the wall. We check that each of the {count} ways to leave out one part is a limit. "
+        "Without virtual damping the polynomial loses a root at 0, which has no effect. Without "
+        "delay it loses the power of $z$."
     )
     least = _polynomial(Parts(False, False, False, False))
     page.step(
-        "The smallest scene leaves a cubic",
+        "The smallest scene has a quadratic polynomial",
         least,
         (z - 1) ** 2 + alpha * (z + 1) / 2,
         name="p_1(z)",

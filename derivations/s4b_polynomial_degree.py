@@ -16,10 +16,10 @@ from symhaptic.proof.theorems.roots import degree, not_of_degree
 
 def derive(page):
     page.say(
-        "In physical units the sampled device has the state $e^{AT}$ and the wall is "
-        "$H(z)z^{-d}$. The rules of Table I are inserted afterwards, and both mass and period "
-        "cancel: the result is the polynomial $p_1$ of (18), whose $a$, $e$, $n_1$ and $n_0$ "
-        r"depend on $\gamma$ and $\delta$ only."
+        "In physical units the sampled device has the state matrix $e^{AT}$, and the wall is "
+        "$H(z)z^{-d}$. We insert the rules of Table I afterwards, and both mass and period cancel. "
+        "The result is the monic polynomial $p_1$ of (18). Its coefficients $a$, $e$, $n_1$ and "
+        r"$n_0$ depend on $\gamma$ and $\delta$ only."
     )
     device = sampled(Plant(), T, split=c_1 / T)
     polynomial = device.denominator * z ** (d + 1)
@@ -41,10 +41,10 @@ def derive(page):
         (scale * unit.numerator * ((alpha + beta) * z - beta)).xreplace(given),
     )
     page.say(
-        "With $A(z)=z^2-az+e$, the part $A(z)z^{d+1}$ has degree $d+3$ and all that is left has "
-        "degree 2. In the paper's scaling the leading coefficient is $-2c_1\\gamma$: the degree is "
-        "$d+3$ if that is not zero and $d$ is an integer. The monic form has it for every "
-        "device."
+        "With $A(z)=z^2-az+e$, the term $A(z)z^{d+1}$ has degree $d+3$, and the other terms have "
+        r"degree 2 at most. In the paper's scaling the leading coefficient is $-2c_1\gamma$. So "
+        "the degree is $d+3$ if this coefficient is not zero and $d$ is an integer. The monic form "
+        "has the degree $d+3$ for every device."
     )
     _degree(page)
 
@@ -54,7 +54,8 @@ def _five(page):
     found = page.lemma(
         "Two loops with the same five numbers have the same product of device, delay and wall",
         same_loop(SECOND),
-        because="each has the response of the loop with mass and period 1, which is unique",
+        because="each loop has the response of the loop with mass and period 1, and this response "
+        "is unique",
     )
     numbers = {alpha: 1, beta: 0, gamma: pi**2, delta: 0, d: 0, z: 4}
     light = {m: 1, b: 0, k: pi**2, T: 1, K: 1, B: 0, t_d: 0}

@@ -29,7 +29,9 @@ def derive(page):
         paper="19",
     )
     _numbers(page, Eq(gamma, spring), Eq(delta, damper))
-    page.say("Each ratio is larger without the mass of the other body:")
+    page.say(
+        "The ratio of stiffness or damping to mass is larger without the mass of the other body:"
+    )
     page.step(
         r"Without the device's mass $\gamma$ is larger",
         T**2 * k_H / m_H - spring,
@@ -37,17 +39,17 @@ def derive(page):
         name=r"T^2\frac{k_H}{m_H}-\gamma",
     )
     page.step(
-        "Without the mass of the other body each damping ratio is larger",
+        r"The sum of the separate damping ratios is larger than $\delta$",
         T * (b_D / m_D + b_H / m_H) - damper,
         T * (b_D * m_H**2 + b_H * m_D**2) / (m_D * m_H * (m_D + m_H)),
         name=r"T\Bigl(\frac{b_D}{m_D}+\frac{b_H}{m_H}\Bigr)-\delta",
-        because="the difference is zero without a damper; that of the stiffness is zero without "
-        "a spring",
+        because="the difference is zero only without dampers; the difference for the stiffness is "
+        "zero only without a spring",
     )
     _bounds(page)
     page.say(
         "The sum of both ratios is an upper bound that is not sharp. The ratio of the total "
-        "damping is a mean of the two, weighted by the masses:"
+        "damping to the total mass is a mean of the two ratios, weighted by the masses:"
     )
     _mean(page)
     _limits(page)
@@ -72,9 +74,9 @@ def _bounds(page):
         *STATEMENTS["eq20"].printed,
         example=PLAIN,
         unless={springy: (limp, not_all(there, fact(negated(there.of[0]))))},
-        shows=r"an arm without a spring, $k_H=0$, for which (20) says $0<0$",
+        shows="for an arm without a spring, $k_H=0$, (20) says $0<0$",
         note=r"the published formula assumes positive masses and dampers, and a spring; with $\le$ "
-        "it holds for every arm, and (22) admits $k_H=0$",
+        "the formula holds for every arm, and (22) admits $k_H=0$",
     )
 
 
@@ -102,7 +104,7 @@ def _mean(page):
         "arm-mean-ratio",
         for_all((*ARM, gamma, delta, *parts), given, add_assum(weighted(claim), *given)),
         example=PLAIN | ones,
-        note="so it is at most the larger of them",
+        note=r"so $\delta/T$ is at most the larger of the two ratios",
     )
 
 

@@ -1,7 +1,7 @@
 """What do the arms of the literature have in common?
 
-Table II of the paper lists eleven arms from eleven articles. We do not have the articles, but the
-numbers can be checked: ratios, damping, and units that were converted.
+Table II of the paper lists eleven arms from eleven articles. We do not have the articles, but we
+can check the ratios, the damping and the conversion of units.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -19,8 +19,8 @@ ROWS = {
 
 def derive(page):
     page.say(
-        r"Only the ratios to the mass enter $\gamma$ and $\delta$. The damping ratio of each arm "
-        r"is $\zeta=b_H/(2\sqrt{k_Hm_H})$:"
+        r"Only the ratios of stiffness and damping to the mass enter $\gamma$ and $\delta$. The "
+        r"damping ratio of each arm is $\zeta=b_H/(2\sqrt{k_Hm_H})$:"
     )
     page.table(
         "From the published decimals of Table II, rounded.",
@@ -38,8 +38,8 @@ def derive(page):
     checks = converted(page)
     page.say(
         "One row is exceptional: the paper says that the arm was strapped down and only the hand "
-        "was measured. Its ratios, divided by the next largest ones, those of Hogan and of Tsuji "
-        "et al.:"
+        "was measured. We divide its ratios by the next largest ones, which are those of Hogan and "
+        "of Tsuji et al.:"
     )
     shown = []
     for column, name in ((1, r"\frac{k_H/m_H}{(k_H/m_H)_2}"), (2, r"\frac{b_H/m_H}{(b_H/m_H)_2}")):
@@ -83,7 +83,7 @@ def series(page):
         "s4c-series",
         theorem,
         example=half,
-        note="how much less stiff an arm is depends on its joints",
+        note="the difference of the stiffnesses depends on the joints",
     )
 
 
@@ -99,11 +99,12 @@ def converted(page):
     page.say(
         "The first row is a mass of 1 kg with a natural frequency of 1 Hz and critical damping: "
         r"$k_H=4\pi^2$, $b_H=4\pi$. By its footnote it describes arm and device together, so that "
-        "its mass is not $m_H$. The row of Lawrence is 0.1, 1 and 1 in pounds of force, inches "
-        "and seconds, with 1 lb $=$ 0.45359237 kg, 1 in $=$ 0.0254 m and $g=$ 9.80665 m/s$^2$."
+        "its mass is not $m_H$. The values of Lawrence are 0.1, 1 and 1 in units of pounds of "
+        "force, inches and seconds, with 1 lb $=$ 0.45359237 kg, 1 in $=$ 0.0254 m and $g=$ "
+        "9.80665 m/s$^2$."
     )
     page.step(
-        "At 1 Hz $b_H=4\\pi m_H$ is critical damping",
+        r"At a natural frequency of 1 Hz $b_H=4\pi m_H$ is critical damping",
         (4 * pi) ** 2 - 4 * (4 * pi**2),
         S.Zero,
         name=r"b_H^2-4k_Hm_H\,\big|_{m_H=1,\ k_H=4\pi^2,\ b_H=4\pi}",
@@ -116,9 +117,9 @@ def converted(page):
         (r"1\,\mathrm{lbf\,s/in}", force, lawrence.damping),
     )
     page.enclosed(
-        "The limits in SI units are enclosed",
+        "These are the values in SI units",
         [(name, value) for name, value, _ in found],
-        because="published as 39.5, 12.6, 17.51, 175.1 and 175.1",
+        because="the paper gives 39.5, 12.6, 17.51, 175.1 and 175.1",
         places=6,
     )
     return [rounded(value, printed) for _, value, printed in found]

@@ -1,4 +1,4 @@
-r"""Which stiffness and damping per mass do the arms of the literature reach?
+r"""How large are stiffness and damping per mass for the arms of the literature?
 
 The paper takes the largest ratios of Table II and adds the damping of a device. We repeat the
 calculation in exact fractions.
@@ -40,7 +40,7 @@ def largest(page):
         KEPT[slow][1],
         Rational(131, 9),
         name=rf"\frac{{{tsuji.damping}}}{{{tsuji.mass}}}",
-        because="$14.555\\ldots$, rounded up to 14.6",
+        because=r"the paper rounds $14.555\ldots$ up to 14.6",
     )
     up = ceiling(10 * damper) / S(10)
     symbols, given, then = taken_apart(page.claim("eq21"))
@@ -50,11 +50,12 @@ def largest(page):
         k_H / m_H <= spring / second**2,
         b_H / m_H <= up / second,
         example={second: S.One},
-        note=r"equality for Hogan, $\tfrac{131}9$ rounded up for Tsuji et al.",
+        note=r"Hogan's arm attains the first bound; the second is $\tfrac{131}9$, the ratio of "
+        "Tsuji et al., rounded up",
     )
     page.say(
-        "The bound 710 is attained, but the mass of 0.8 kg has one digit only. Half a unit of "
-        "the last digits would allow"
+        "The bound 710 is attained, but the mass of 0.8 kg has one digit only. An error of half a "
+        "unit of the last digits would allow this ratio:"
     )
     page.step(
         "The published digits allow a ratio of up to 758",
@@ -62,7 +63,9 @@ def largest(page):
         S(758),
         name=r"\frac{568.5}{0.75}",
     )
-    page.say(f"The row of {EXCLUDED} is left out. At $T=1$ ms, with a device of no mass, it has")
+    page.say(
+        f"The row of {EXCLUDED} is left out. At $T=1$ ms and with a massless device this arm has:"
+    )
     hard, viscous = RATIOS[EXCLUDED]
     page.step(
         "The stiffness of the row that is left out is beyond (23)",
@@ -83,11 +86,11 @@ def limits(page, spring, damper):
     """(22) from (19), (21) and the devices of the paper's reference [8]."""
     total = damper + DEVICE
     page.step(
-        "The limits of arm and device add up",
+        "The damping limits of arm and device add up",
         total,
         Rational("15.225"),
         name="14.6+0.625",
-        because="that is 15.225",
+        because="the sum is 15.225",
         paper="22",
     )
     page.settle_external(
@@ -101,7 +104,8 @@ def limits(page, spring, damper):
     inside = page.lemma(
         "Arm and device within their limits are together within (22)",
         conj(*within(spring, damper, DEVICE)),
-        because="the bounds of (21), and 0.625 for the damping per mass of the devices of [8]",
+        because="(21) bounds the ratios of the arm, and 0.625 bounds the damping per mass of the "
+        "devices of [8]",
     )
     signs = {"<": Lt, "<=": Le}
     names = {meaning: name for name, meaning in held.items()}

@@ -1,7 +1,7 @@
-"""How much wider are the ranges (23) than the arms of the literature?
+"""How much wider are the ranges (23) than those of the arms in the literature?
 
-According to the paper they are wider by roughly 30 %, and according to the caption of Fig. 6 by
-30 %. The paper also assumes a period of at most 1 ms. We check both numbers, and ask for which
+According to the paper the ranges are wider by roughly 30 %, and according to the caption of Fig. 6
+by 30 %. The paper also assumes a period of at most 1 ms. We check both numbers, and ask for which
 periods the ranges contain all arms.
 """
 
@@ -19,21 +19,21 @@ STIFFNESS, DAMPING = Rational(710), Rational("15.225")
 
 def derive(page):
     before = (STIFFNESS * LONGEST**2, DAMPING * LONGEST)
-    page.say("At $T=1$ ms the limits (22) are 0.00071 and 0.015225. With 30 % more they become")
+    page.say("At $T=1$ ms the limits (22) are 0.00071 and 0.015225. An extension by 30 % gives:")
     wide = []
     for name, value, plain, text in (
         (gamma, before[0], "0.00071", "0.000923"),
         (delta, before[1], "0.015225", "0.0197925"),
     ):
         more = page.step(
-            f"30 % more make ${NAMES[name]}$ this",
+            f"An extension by 30 % gives this limit of ${NAMES[name]}$",
             value * 13 / 10,
             Rational(text),
             name=rf"1.3\cdot{plain}",
-            because=f"that is {text}",
+            because=f"the product is {text}",
         )
         wide.append(ceiling(more / LONGEST) * LONGEST)
-    page.say("Rounded up to whole thousandths this is (23): 0.001 and 0.020.")
+    page.say("Rounded up to thousandths, these limits are those of (23): 0.001 and 0.020.")
     page.settle(
         "eq23",
         gamma >= 0,
@@ -41,7 +41,7 @@ def derive(page):
         delta >= 0,
         delta <= wide[1],
         definition=True,
-        note=r"a choice; it contains (22) for $T\le1.186$ ms",
+        note=r"the ranges are a choice; they contain (22) for $T\le1.186$ ms",
     )
     factors = [more / value for more, value in zip(wide, before, strict=True)]
     page.enclosed(
@@ -50,8 +50,8 @@ def derive(page):
             (rf"\frac{{{text}}}{{{NAMES[name]}}}\Big|_{{(22)}}", factor)
             for name, text, factor in zip(NAMES, ("0.001", "0.020"), factors, strict=True)
         ],
-        because="the fractions $\\tfrac{100}{71}$ and $\\tfrac{800}{609}$: stiffness is "
-        "extended by 41 %, damping by 31 %",
+        because=r"the factors are $\tfrac{100}{71}$ and $\tfrac{800}{609}$: the stiffness is "
+        "extended by 41 % and the damping by 31 %",
         places=6,
     )
     _extension(page)
@@ -64,8 +64,8 @@ def derive(page):
     page.settle(
         "fig6",
         conj(*map(fact, page.claim("fig6").of)),
-        note=r"at $T=1$ ms; the excluded row has $k_H/m_H=6667$ against 1000 1/s$^2$ and "
-        r"$b_H/m_H=50$ against 20 1/s. For the 30\,\% of the caption see "
+        note="this holds at $T=1$ ms; the excluded row has $k_H/m_H=6667$ 1/s$^2$ and $b_H/m_H=50$ "
+        r"1/s, but (23) allows 1000 1/s$^2$ and 20 1/s. For the 30\,\% of the caption see "
         r"\texttt{s4c-extension-30}",
     )
 
@@ -88,8 +88,9 @@ def _extension(page):
         example=at,
         unless=[(at, denial)],
         shows=r"at $T=1$ ms the range of $\gamma$ grows by the factor $1.408$",
-        note=r"the ranges are extended by 41\,\% and 31\,\%, which is safe for both; the statement "
-        r"is true for $\delta$. For shorter periods the margin is still wider",
+        note=r"the ranges are extended by 41\,\% and 31\,\%, which is safe in both cases; the "
+        r"statement is true for $\delta$. For shorter periods the ranges have an even larger "
+        "margin",
     )
 
 
@@ -112,7 +113,7 @@ def periods(page):
     page.enclosed(
         "The ranges cover periods up to these, in milliseconds",
         [("T_{\\gamma}", sqrt(LONGEST / STIFFNESS) * 1000), ("T_{\\delta}", 20 / DAMPING)],
-        because="with longer periods (23) excludes arms of Table II, the stiffest ones first",
+        because="with longer periods (23) excludes arms of Table II, beginning with the stiffest",
         places=6,
     )
     others = {row.authors: Rational(row.damping) / Rational(row.mass) for row in TABLE_II}
@@ -120,11 +121,11 @@ def periods(page):
         del others[name]
     limit = max(others.values()) + Rational(DEVICE_RATIO)
     page.step(
-        "Without the row of Tsuji et al. the sum is smaller",
+        "Without the row of Tsuji et al. the limit of the damping is smaller",
         limit,
         Rational("13.225"),
         name="12.6+0.625",
-        because="that is 13.225; it would limit $\\delta/T$ in (22), in place of 15.225",
+        because=r"then 13.225 would limit $\delta/T$ in (22), in place of 15.225",
     )
     page.settle_external(
         "s4c-wider-delta",

@@ -14,18 +14,18 @@ def derive(page):
     page.say(
         "A polygon of stable walls bounds the area of a region from below, and a polygon that "
         "holds all stable walls bounds it from above. All walls of a convex polygon are stable if "
-        "one is, and if no wall of it puts a zero of the characteristic polynomial on the unit "
-        "circle: at each angle some side of the polygon separates it from the wall with such a "
-        "zero. "
-        f"For the arm of Figs. 11 and 12 and $d={DELAY}$:"
+        "one of them is stable and no wall of the polygon puts a zero of the characteristic "
+        "polynomial on the unit circle. We check the second condition at each angle: one side of "
+        "the polygon separates the polygon from the wall that has a zero at this angle. For the "
+        f"arm of Figs. 11 and 12 and $d={DELAY}$:"
     )
     page.lemma(f"The walls of a polygon are stable for $d={DELAY}$", inside(DELAY))
     page.say(
-        "Each side of the other polygon is a tangent to the boundary "
-        r"(\chapter{s5b_stiffest_wall}), except the left one and the lower one, which follows "
-        "from Hurwitz' criterion."
+        "The sides of the second polygon are tangents to the boundary "
+        r"(\chapter{s5b_stiffest_wall}), except the left and the lower side. The lower side "
+        "follows from Hurwitz' criterion."
     )
-    page.lemma(f"All stable walls of $d={DELAY}$ lie in another polygon", around(DELAY))
+    page.lemma(f"A second polygon contains all stable walls for $d={DELAY}$", around(DELAY))
     rows = [
         [
             delay,
@@ -42,8 +42,8 @@ def derive(page):
     page.settle(
         "s4d-delay-shrinks-area",
         delay_takes_area(),
-        note="from each delay to the next, $d=0$ to 8, for one arm; as sets of walls the regions "
-        "are not nested (s4d-delay-shrinks)",
+        note="the area falls with each period of delay, up to $d=8$, for one arm; the regions "
+        "themselves are not nested (s4d-delay-shrinks)",
     )
 
 

@@ -17,8 +17,9 @@ from symhaptic.proof.theorems.leaves import on_box as on_plain_box
 
 def derive(page):
     page.say(
-        "Without delay a spring moves the region to the left without making it smaller: every "
-        r"stable wall, moved by $-0.001$ in $\alpha$, satisfies each of Jury's inequalities."
+        r"Without delay, a spring with $\gamma=0.001$ moves the region to the left and does not "
+        r"make it smaller: every stable wall, moved by $-0.001$ in $\alpha$, satisfies each of "
+        "Jury's inequalities with the spring."
     )
     spring = page.lemma(
         r"A wall that is stable without a spring is stable with $\gamma=0.001$ if $\alpha$ is "
@@ -28,11 +29,12 @@ def derive(page):
     damper = page.lemma(
         "A stable wall stays stable with more damping, inside (23)",
         damper_adds(),
-        because="so the region contains the region for less damping",
+        because="so the region with more damping contains the region with less damping",
     )
     page.say(
-        r"With twice the mass $\alpha$ and $\beta$ of the same wall are half as large. In the "
-        "plane of $K$ and $B$ an area is therefore four times as large."
+        r"With twice the mass $\alpha$ and $\beta$ of the same wall are half as large. Therefore "
+        r"the same area in the plane of $\alpha$ and $\beta$ is four times as large in the plane "
+        "of $K$ and $B$."
     )
     mass = page.lemma(
         "Four times the area with twice the mass exceeds the area with the single mass", mass_adds()
@@ -40,9 +42,9 @@ def derive(page):
     page.settle(
         "s4d-all-stabilising-area",
         conj(spring, damper, mass),
-        note="without delay: the spring between the ends of (23), at both ends of the damping; "
-        "the damper inside (23); the mass doubled, for the arm of Figs. 11 and 12. A single "
-        "wall can lose its stability (s4d-all-stabilising)",
+        note="this is proved without delay. The spring is the largest of (23), with the smallest "
+        "and the largest damping. The damper is any inside (23). The mass is twice that of the arm "
+        "of Figs. 11 and 12. A single wall can lose its stability (s4d-all-stabilising)",
     )
 
 

@@ -1,8 +1,8 @@
 r"""Is there an explicit stability boundary with delay and stiffness?
 
-The paper computes the boundary of the stable region on a grid, since the inequalities of the usual
-criteria grow with the delay. But the characteristic polynomial is affine in $\alpha$ and $\beta$,
-so that one complex equation on the unit circle gives both.
+The paper computes the boundary of the stable region on a grid, since the usual inequalities grow
+with the delay. But the characteristic polynomial is affine in $\alpha$ and $\beta$, so that one
+complex equation on the unit circle gives both coefficients.
 """
 
 from symhaptic.book.figures.arguments import crossing
@@ -15,9 +15,8 @@ def derive(page):
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
     polynomial = bottom * z ** (d + 1) + top * ((alpha + beta) * z - beta)
     page.say(
-        "Let $A=z^2-az+e$ and $N=n_1z+n_0$ be those of the sampled device, and "
-        "$p_1=z^{d+1}A+N((\\alpha+\\beta)z-\\beta)$ the characteristic polynomial, made monic "
-        "(\\chapter{s4b_polynomial}). A root of it is a point where"
+        "The sampled device is $N/A$ with $A=z^2-az+e$, $N=n_1z+n_0$, and the characteristic "
+        r"polynomial is $p_1=z^{d+1}A+N((\alpha+\beta)z-\beta)$ (\chapter{s4b_polynomial}):"
     )
     q = boundary.needed(plant.Sampled(n_1, n_0, a, e))
     page.step(
@@ -27,7 +26,7 @@ def derive(page):
         name=r"\frac{p_1(z)}{zN(z)}",
         because=r"the polynomial vanishes if $\alpha+\beta(1-1/z)=Q$ with $Q=-z^dA/N$",
     )
-    page.say("On the circle, $z=e^{j\\theta}$, real and imaginary part are two real equations.")
+    page.say(r"On the circle, $z=e^{j\theta}$, its real and imaginary part are real equations.")
     stiffness, damping = boundary.solved(on_circle(q))
     page.step(
         "At each angle one wall solves both equations",
@@ -35,7 +34,7 @@ def derive(page):
         S.Zero,
         name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,"
         r"\ \alpha=\Re Q-\beta(1-\cos\theta)}",
-        because="for every plant, and for every real $d$ on the principal sheet",
+        because=r"this holds for every plant, and for every real $d$ with $z^d=e^{jd\theta}$",
         boxed=True,
     )
     page.figure(
@@ -58,13 +57,13 @@ def derive(page):
         because=r"the value is zero for $\alpha=-\gamma$, as $1-a+e=\gamma(n_1+n_0)$",
     )
     page.step(
-        "A root at $-1$ means another line, here for even delays",
+        "A root at $-1$ means that the wall lies on a second line, here for even delays",
         polynomial.subs(d, 0).subs(z, -1),
         (n_1 - n_0) * (alpha + 2 * beta) - (1 + a + e),
         name="p_1(-1)",
         because="for odd delays the last bracket changes its sign",
     )
-    page.say(r"For a free mass, $\gamma=\delta=0$, the boundary is short:")
+    page.say(r"For a free mass, $\gamma=\delta=0$, the formula is short:")
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     numbers = {a: free.a, e: free.e, n_1: free.n1, n_0: free.n0}
     short_stiffness = page.step(
@@ -88,7 +87,7 @@ def derive(page):
         S.Zero,
         d + S.Half,
         name=r"\beta(\theta)/\alpha(\theta)",
-        because="the ratio of damping to stiffness is the delay, with half a period for the hold",
+        because="the ratio of damping to stiffness is the delay plus half a period for the hold",
     )
     _settled(page)
     _undamped(page)
@@ -101,13 +100,12 @@ def _settled(page):
     exact = page.lemma(
         r"The polynomial has a zero at $e^{j\theta}$ for this wall and for no other",
         zero_on_circle_is_explicit(),
-        because="for the numbers of any device whose $N$ does not vanish there",
+        because=r"this holds for every device whose $N$ does not vanish at $e^{j\theta}$",
     )
     page.lemma(
         "For a damped device $N$ does not vanish on the circle",
         numerator_on_circle(),
-        because="a held force that is multiplied by $z$ per period does work, so that it moves the "
-        "device",
+        because="a held force that is multiplied by $z$ in each period does work",
     )
     arm = (gamma, delta, d)
     given = [gamma >= 0, delta >= 0, d >= 0]
@@ -124,7 +122,7 @@ def _settled(page):
         "explicit-boundary",
         for_all(arm, given, found),
         example={gamma: S.One, delta: S.One, d: S.One},
-        note="for fractional delays this is the principal sheet of the paper's substitution",
+        note="for fractional delays it uses the principal sheet of the paper's substitution",
     )
     page.settle_external(
         "s4d-explicit-only-undelayed",
@@ -139,15 +137,15 @@ SPRING = Symbol("g")
 
 def _undamped(page):
     page.say(
-        "A mass with a spring and no damper has a boundary that is as short as that of a free "
-        "mass. It shows where the boundary goes for $n_1=n_0$, when no wall has a root at $-1$."
+        "For a mass with a spring and no damper the formula is also short. In this case $n_1=n_0$, "
+        "and no wall has a root at $-1$."
     )
     swinging = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
     arm = plant.Sampled(swinging.n1, swinging.n0, swinging.a, S.One)
     stiffness, damping = (side.xreplace({gamma: Omega**2}) for side in boundary.wall(arm))
-    page.define("The natural frequency times the period is this angle", gamma, Omega**2)
+    page.define(r"The natural frequency times the period is the angle $\Omega$", gamma, Omega**2)
     page.define(
-        "One function of the stiffness",
+        r"One function contains the stiffness $\gamma$",
         SPRING,
         gamma * (cos(Omega) - cos(theta)) / (1 - cos(Omega)),
     )
@@ -158,10 +156,10 @@ def _undamped(page):
         SPRING * first,
         name=r"\alpha(\theta)",
         boxed=True,
-        because="for every real $d$ on the principal sheet, and $\\cos\\Omega\\ne1$",
+        because=r"this holds for every real $d$ with $z^d=e^{jd\theta}$, and for $\cos\Omega\ne1$",
     )
     page.step(
-        "The boundary's damping is given by a sine",
+        "A sine gives the damping on the boundary",
         stiffness + 2 * damping,
         SPRING * second,
         name=r"\alpha(\theta)+2\beta(\theta)",
@@ -176,8 +174,8 @@ def begin(page, stiffness, damping):
     """The end at theta -> 0, in units of gamma, with x = cos Omega."""
     half = Rational(1, 2)
     page.say(
-        r"It starts on the line $\beta=\alpha(d+\frac12)$ of (25), with a smaller slope; with "
-        r"$x=\cos\Omega$:"
+        r"The boundary starts on the line $\beta=\alpha(d+\frac12)$ of (25) with a smaller slope. "
+        r"Let $x=\cos\Omega$:"
     )
     page.limit(
         r"The boundary starts at $\alpha=-\gamma$",
@@ -199,7 +197,7 @@ def begin(page, stiffness, damping):
     up = (d + half) * right - (d + 1) * (2 * d + 1) * (2 * d + 3) / 12
     name = r"\frac{\alpha(\theta)+\gamma}{\gamma\theta^2}"
     page.limit(
-        "From its start the boundary goes to the right in the second order",
+        r"Near its start the stiffness on the boundary grows as $\theta^2$",
         (stiffness + 1) / theta**2,
         theta,
         S.Zero,
@@ -220,13 +218,12 @@ def begin(page, stiffness, damping):
 def end(page):
     """The end at theta -> pi, for integer delays."""
     page.say(
-        "Towards the other end, for integer $d$, both grow without bound, since for $n_1=n_0$ no "
-        r"wall has a root at $-1$. As $\sin(d+1)\theta=(-1)^d\sin(d+1)(\pi-\theta)$, their sum "
-        "stays close to a line:"
+        "At the other end, for integer $d$, stiffness and damping grow without bound. As "
+        r"$\sin(d+1)\theta=(-1)^d\sin(d+1)(\pi-\theta)$, the sum $\alpha+2\beta$ has a limit:"
     )
     per_gamma = (x - cos(theta)) / (1 - x)
     page.limit(
-        "Stiffness and twice the damping approach a line",
+        r"The boundary approaches a line of constant $\alpha+2\beta$",
         2 * per_gamma * sin((d + 1) * (pi - theta)) / sin(theta),
         theta,
         pi,
@@ -235,15 +232,15 @@ def end(page):
     )
     per_gamma = per_gamma.subs(x, -1)
     page.step(
-        r"For $x=-1$, $\Omega$ an odd multiple of $\pi$, it stays finite",
+        r"The stiffness stays finite if $\Omega$ is an odd multiple of $\pi$, that is for $x=-1$",
         per_gamma * cos(ANGLE) / cos(theta / 2) ** 2,
         -cos(ANGLE),
         name=r"\frac{\alpha}{\gamma}\Big|_{x=-1}",
     )
     page.step(
-        "For $x=-1$ the damping stays finite, too",
+        "For $x=-1$ the damping also stays finite",
         2 * per_gamma * sin(ANGLE) / sin(theta),
         -sin(ANGLE) / tan(theta / 2),
         name=r"\frac{\alpha+2\beta}{\gamma}\Big|_{x=-1}",
-        because="so that it ends at $\\alpha=(-1)^d\\gamma$, $\\beta=-\\alpha/2$",
+        because=r"so the boundary ends at $\alpha=(-1)^d\gamma$, $\beta=-\alpha/2$",
     )

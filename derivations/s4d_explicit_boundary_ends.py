@@ -1,7 +1,8 @@
 r"""Where does the explicit boundary begin and end?
 
-The boundary runs through the angles $0<\theta<\pi$. We ask for its two ends, for the direction in
-which it starts, and how it is related there to the line $\beta+\delta=\alpha(d+\tfrac12)$ of (25).
+The boundary has one point for each angle $0<\theta<\pi$. We ask for its two ends and for its
+direction at the first of them. We compare this direction with the line
+$\beta+\delta=\alpha(d+\tfrac12)$ of (25).
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -26,16 +27,18 @@ def start(page):
     page.lemma(
         r"At $z=1$ the denominator is $\gamma$ times the numerator",
         device_static(assume(DEVICE)),
-        because=r"since $P(1)=1/\gamma$. This eliminates $a$",
+        because=r"this follows from $P(1)=1/\gamma$ and eliminates $a$",
     )
-    page.say("Three more numbers of the device keep the formulas short:")
-    page.define(r"The share $\nu$ of the second coefficient of the numerator", nu, NU)
-    page.define("The low-frequency damping $s_1$ of the device", s_1, FIRST)
-    page.define("The low-frequency mass $s_2$ of the device", s_2, 1 / TOTAL - (1 - nu) * s_1)
+    page.say("Three abbreviations for the device keep the formulas short:")
+    page.define(r"The second coefficient has the share $\nu$ of the numerator's sum", nu, NU)
+    page.define("The number $s_1$ is the low-frequency damping of the device", s_1, FIRST)
+    page.define(
+        "The number $s_2$ is the low-frequency mass of the device", s_2, 1 / TOTAL - (1 - nu) * s_1
+    )
     near = gamma + s_1 * (z - 1) + s_2 * (z - 1) ** 2 / (1 + (1 - nu) * (z - 1))
     arm = plant.Sampled(N_1, N_0, 1 + E - gamma * TOTAL, E)
     page.step(
-        "Near $z=1$ the device is given by these three numbers",
+        "Near $z=1$ these numbers describe the device",
         1 / arm.transfer,
         near,
         name=r"P^{-1}(z)",
@@ -63,13 +66,12 @@ def start(page):
         page.limit(title, moved / theta**2, theta, S.Zero, value, name=name)
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
     page.step(
-        "At the start the boundary has the slope",
+        r"The initial slope of the boundary is a fraction less than $d+\frac12$",
         up / right,
         d + Rational(1, 2) - short / (12 * s_2 + 12 * (d + 1) * s_1 + 6 * d * (d + 1) * gamma),
         name=SLOPE,
         boxed=True,
-        because=r"this is less than the slope of the line if $n_1\ge n_0$, $s_1\ge0$ and "
-        r"$s_2\ge0$",
+        because=r"the slope is less than that of the line if $n_1\ge n_0$, $s_1\ge0$ and $s_2\ge0$",
     )
     return (up / right).subs({nu: NU, s_1: FIRST, s_2: SECOND})
 
@@ -79,7 +81,7 @@ def without_spring(page, slope):
     device = plant.sampled(plant.normalised(Parts(stiffness=False)))
     numbers = {gamma: 0, N_1: device.n1, N_0: device.n0, E: device.e}
     page.step(
-        "Without a spring the damping is $\\delta$",
+        r"Without a spring $s_1$ is the damping $\delta$",
         FIRST.subs(numbers),
         delta,
         name=r"s_1\big|_{\gamma=0}",
@@ -97,13 +99,14 @@ def without_spring(page, slope):
         d + Rational(1, 2) - ((d + 1) ** 2 * delta + excess) / (2 + 2 * (d + 1) * delta),
         name=SLOPE,
         boxed=True,
-        because=r"it equals the $d+\tfrac12$ of (25) in the limit $\delta\to0$ only",
+        because=r"the slope equals the $d+\tfrac12$ of (25) in the limit $\delta\to0$ only",
     )
     page.lemma(
         "Without a spring the boundary has a smaller initial slope than the line of (25), for "
         r"$\delta>0$",
         cotangent_exceeds(),
-        because="this is the difference in the slope above; the boundary begins below the line",
+        because="the difference is the last term of the slope above, and the boundary begins below "
+        "the line",
     )
 
 
@@ -117,8 +120,8 @@ def gap(page):
     below = FIRST.subs(numbers) - delta - gamma / 2
     weighed = below * gamma * (device.n1 + device.n0)
     page.say(
-        "Let $g=s_1-\\delta-\\frac12\\gamma$ be the distance of the start from that line. With the "
-        "difference $c$ of the poles:"
+        "The start of the boundary lies below the line of (25) by the distance "
+        r"$g=s_1-\delta-\frac12\gamma$. Let $c$ be the difference of the poles:"
     )
     page.define("The poles of the arm differ by $c$", gamma, given[gamma])
     page.step(
@@ -126,8 +129,8 @@ def gap(page):
         weighed,
         exp(-delta / 2) * waves,
         name=r"\gamma(n_1+n_0)\,g",
-        because=r"it is positive up to the limit (30), as \chapter{s4d_explicit_boundary_signs} "
-        "shows",
+        because="the distance is positive up to the limit (30), as "
+        r"\chapter{s4d_explicit_boundary_signs} shows",
     )
     scaled = waves.xreplace(given).subs({delta: h * delta, c: h * c}, simultaneous=True)
     page.limit(
@@ -137,12 +140,13 @@ def gap(page):
         S.Zero,
         S.One,
         name=r"\frac{720\,(n_1+n_0)\,e^{\delta/2}}{\delta\gamma^2}\,g",
-        because="a period $h$ times as long has $h\\delta$ and $hc$ in place of $\\delta$ and $c$; "
-        "$n_1+n_0$ and the exponential tend to 1",
+        because=r"with a period that is $h$ times as long, $\delta$ and $c$ become $h\delta$ and "
+        "$hc$; $n_1+n_0$ and the exponential tend to 1",
     )
     corner = {gamma: Rational(1, 1000), delta: Rational(1, 50), c: sqrt(-Rational(9, 2500))}
     page.enclosed(
-        "At the corner of (23) the distance is enclosed", [("g", enclosed(below.subs(corner)))]
+        "An interval contains the distance at the corner of (23)",
+        [("g", enclosed(below.subs(corner)))],
     )
 
 
@@ -152,7 +156,10 @@ def nyquist(page):
     arm = plant.Sampled(N_1, N_0, a, E)
     stiffness, damping = boundary.solved(on_circle(boundary.needed(arm)) * exp(-I * d * pi))
     end = N_1 * (1 + a + E) / (N_1 - N_0) ** 2 - (2 + a + d * (1 + a + E)) / (N_1 - N_0)
-    page.say(r"At the other end, for integer $d$ and $n_1\ne n_0$, a factor $(-1)^d$ remains:")
+    page.say(
+        r"At the other end, for integer $d$ and $n_1\ne n_0$, the limits contain a factor "
+        "$(-1)^d$:"
+    )
     title, name = "At $\\theta\\to\\pi$ the damping is finite", r"(-1)^d\beta(\theta)"
     page.limit(title, damping, theta, pi, end, name=name)
     page.limit(

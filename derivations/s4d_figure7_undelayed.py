@@ -17,8 +17,8 @@ def derive(page):
     top = (2 * x - 1) * (a * n_0 - n_1) + a * n_1 - e * (n_1 + n_0) - n_0 * (4 * x**2 - 2 * x - 1)
     side = a * n_0 - (1 - e) * n_1 - 2 * n_0 * x
     stiffness, damping = (of.subs(d, 0) for of in boundary.wall(plant.Sampled(n_1, n_0, a, e)))
-    page.say("For $d=0$ the explicit boundary is a pair of rational functions of a cosine.")
-    page.define("The cosine of the angle is the parameter", x, cos(theta))
+    page.say(r"For $d=0$ the explicit boundary consists of two rational functions of $\cos\theta$.")
+    page.define("The parameter $x$ is the cosine of the angle", x, cos(theta))
     page.step(
         "The boundary without delay has this stiffness",
         stiffness,
@@ -36,29 +36,30 @@ def derive(page):
     curve = page.lemma(
         "The stable walls are those above $\\beta=-1$ between a line and this curve",
         line_and_curve(),
-        because="two of Jury's inequalities, the half planes, follow from these",
+        because="the other two of Jury's inequalities follow from these two",
     )
     page.say(
-        r"Take a wall that is stable with a spring $\gamma$, and another spring $\gamma'$. Move "
-        r"the wall to the right by $\gamma-\gamma'$, and towards $(-\gamma',1)$ by the fraction "
-        r"$0.0012$ of the distance, plus $0.72\,(\gamma-\gamma')$ if $\gamma'<\gamma$. The moved "
-        "wall satisfies Jury's inequalities for the other spring, and the map is invertible."
+        r"Take a wall that is stable with a spring $\gamma$, and let $\gamma'$ be a second spring. "
+        r"Move the wall to the right by $\gamma-\gamma'$. Then move it towards $(-\gamma',1)$ by a "
+        r"fraction of the distance: by $0.0012$, plus $0.72\,(\gamma-\gamma')$ if "
+        r"$\gamma'<\gamma$. The moved wall satisfies Jury's inequalities for the second spring, "
+        "and the map is invertible."
     )
     same = page.lemma(
-        "Two springs have the same stable walls, within 0.002",
+        "Two springs have the same stable walls, except for a shift of at most 0.002",
         springs_alike(),
         because="the two devices have the same $e$, and their $n_1$ and $n_0$ differ by less than "
         "$0.0004$ and $0.00018$",
         boxed=True,
     )
     page.say(
-        "The region is $0.69$ wide and $2$ high: this is the thickness of a printed line. On the "
-        r"left the regions end at $\alpha=-\gamma$, $0.001$ apart at most."
+        "The region is $0.69$ wide and $2$ high, so a shift of $0.002$ is about the thickness of a "
+        r"printed line. The left bounds $\alpha=-\gamma$ differ by at most $0.001$."
     )
     page.figure(
         "fig7",
         "Fig. 7 of the paper: stable walls for $d=0$ at the limits of the parameter range. The "
-        "curves for $\\gamma=0$ and $\\gamma=0.001$ lie on each other.",
+        r"curves for $\gamma=0$ and $\gamma=0.001$ coincide in print.",
         undelayed,
     )
     point = {gamma: STIFF, OTHER: S.Zero, delta: DAMPED}

@@ -1,7 +1,7 @@
 """How does an arm's stiffness change the region near the origin?
 
 Fig. 8 of the paper shows the stable walls for $d=0$ near the origin, for five stiffnesses of the
-arm. The left bound moves with the stiffness. Does the lower bound?
+arm. The left bound moves with the stiffness. Does the lower bound move, too?
 """
 
 from symhaptic.book.figures.stability import origin as close_up
@@ -13,14 +13,15 @@ from symhaptic.paper.propositions.plots import CURVE, FINE, FRAME
 
 def derive(page):
     page.say(
-        "Write Jury's minor around the line $\\beta=\\alpha/2-\\delta$, the linear condition (25), "
-        "with $S=n_1+n_0$. The device's law $1-a+e=\\gamma S$ is used for $a$:"
+        r"The line $\beta=\alpha/2-\delta$ belongs to the linear condition (25). We expand Jury's "
+        "minor around this line, with $S=n_1+n_0$, and eliminate $a$ by the device's law "
+        r"$1-a+e=\gamma S$:"
     )
     total = n_1 + n_0
     minor = 1 - e + beta * (n_1 - n_0 + a * n_0) - n_0 * total * beta**2
     minor -= alpha * n_0 * (1 + beta * n_1)
     page.step(
-        "Near the origin Jury's minor is nearly the line",
+        r"Near the origin Jury's minor is nearly a multiple of $\beta+\delta-\alpha/2$",
         minor.subs(a, 1 + e - gamma * total),
         total * (1 - n_0 * beta) * (beta + delta - alpha / 2)
         + (1 - e - delta * total) * (1 - n_0 * beta)
@@ -30,24 +31,27 @@ def derive(page):
         because=r"the last three terms are small, and only the last one contains $\gamma$",
     )
     found = page.lemma(
-        "Near the origin walls right of $\\alpha=-\\gamma$ and above the line are the stable ones",
+        r"Near the origin the stable walls are those right of $\alpha=-\gamma$ and above the line",
         origin(),
-        because="to within $0.0001$ of $\\beta$",
+        because=r"the statement is exact except for an error of $0.0001$ in $\beta$",
         boxed=True,
     )
     page.say(
         r"All lower boundaries of one $\delta$ are parts of one line, to within half a percent of "
-        "the height of Fig. 8. With stiffness the line is longer: the corner at its left end "
-        r"moves along it to $\alpha=-\gamma$, and thus down by about $\gamma/2$."
+        "the height of Fig. 8. With stiffness the line is longer: its left end is a corner of the "
+        r"region and moves along the line to $\alpha=-\gamma$. So the corner moves down by about "
+        r"$\gamma/2$."
     )
     page.figure(
         "fig8",
-        "Fig. 8 of the paper: close-up of Fig. 7 with five stiffnesses. Left bounds at "
-        r"$\alpha=-\gamma$, one lower line for each $\delta$.",
+        "Fig. 8 of the paper: close-up of Fig. 7 with five stiffnesses. The left bounds are at "
+        r"$\alpha=-\gamma$, and there is one lower line for each $\delta$.",
         close_up,
     )
     arm = {alpha: S.Zero, beta: S.Zero, gamma: STIFF, delta: DAMPED}
-    page.settle("fig8", found, example=arm, note="the corner moves along the line")
+    page.settle(
+        "fig8", found, example=arm, note="the lower left corner of the region moves along the line"
+    )
 
 
 # Around the origin the stable walls without delay lie above beta = alpha/2 - delta.

@@ -2,7 +2,7 @@ r"""How much does an arm's stiffness change the region with a delay?
 
 Fig. 9 of the paper shows the stable walls for $d=1$ and $d=2$ at the limits of the arm's stiffness
 and damping. The stiffness moves the left bound by $\gamma\le0.001$, as it does without delay, but
-the region is smaller. We compare the two.
+the region is smaller. We compare this shift with the width of the region.
 """
 
 from symhaptic.book.figures.stability import delayed
@@ -17,16 +17,18 @@ from symhaptic.paper.propositions.plots import THIN
 
 def derive(page):
     page.say(
-        "Multiplied by the conjugate of the numerator $N$, the explicit boundary has four terms, "
-        "for every delay, over $|N|^2=n_1^2+n_0^2+2n_1n_0\\cos\\theta$ at $z=e^{j\\theta}$."
+        "We multiply numerator and denominator of the explicit boundary by the conjugate of $N$. "
+        "Then the boundary is a sum of four terms for every delay, divided by "
+        r"$|N|^2=n_1^2+n_0^2+2n_1n_0\cos\theta$ at $z=e^{j\theta}$."
     )
     page.lemma(
         "With a delay one wall at each angle has a zero of the loop at $e^{j\\theta}$",
         zero_on_circle_is_explicit(),
-        because="for the numbers of any device whose $N$ does not vanish there",
+        because=r"this holds for every device whose $N$ does not vanish at $e^{j\theta}$",
     )
     page.say(
-        "The regions are largest with the damping $\\delta=0.02$. It allows these stiffnesses:"
+        r"The regions are largest with the damping $\delta=0.02$. For this damping we bound the "
+        "stiffness:"
     )
     for late in (1, 2):
         for spring in (S.Zero, STIFF):
@@ -36,9 +38,9 @@ def derive(page):
                 none_above((spring, DAMPED), late)[1],
             )
     page.say(
-        r"So $\gamma=0.001$ is more than $1/170$ of the width for $d=1$ and more than $1/80$ for "
-        r"$d=2$; without delay it is $1/690$. The regions reach the line $\alpha=-\gamma$: stable "
-        "walls lie next to it."
+        r"So the shift $\gamma=0.001$ is more than $1/170$ of the width for $d=1$ and more than "
+        "$1/80$ for $d=2$; without delay it is $1/690$. Stable walls lie next to the line "
+        r"$\alpha=-\gamma$, so the regions reach this line:"
     )
     beside = {alpha: -STIFF + THIN / 2, gamma: STIFF, delta: DAMPED}
     for late in (1, 2):
@@ -49,7 +51,8 @@ def derive(page):
     page.figure(
         "fig9",
         "Fig. 9 of the paper: stable walls for $d=1$ and $d=2$ at the limits of the parameter "
-        "range. Left bounds and tips for $\\gamma=0.001$ stand apart from those for $\\gamma=0$.",
+        r"range. The left bounds and the tips for $\gamma=0.001$ are visibly apart from those for "
+        r"$\gamma=0$.",
         delayed,
         panels=(1, 2),
         height=0.5,
@@ -57,19 +60,20 @@ def derive(page):
     page.lemma(
         "Stable walls lie right of $\\alpha=-\\gamma$, for all arms of (23)",
         right_of_the_line(),
-        because="at 1 the polynomial is $(\\alpha+\\gamma)(n_1+n_0)$",
+        because=r"$p_1(1)=(\alpha+\gamma)(n_1+n_0)$, and the polynomial of a stable wall is "
+        "positive at 1",
     )
     page.say(
-        "Two walls of each region, one next to the left bound and one next to the tip, are shown "
-        "to be stable by their roots. One point of the circle shows that no stable wall is "
-        r"stiffer: for a polynomial $p$ of degree $n$ with its zeros inside, $n|p|^2<2\Re\bar "
-        r"p\,zp'$ there."
+        "In each region we compute the roots for two walls, one next to the left bound and one "
+        "next to the tip; both walls are stable. One point $z$ of the circle is sufficient to show "
+        "that no stable wall is stiffer: a polynomial $p$ of degree $n$ with all zeros inside "
+        r"satisfies $n|p|^2<2\Re\bar p\,zp'$ at $z$."
     )
     page.lemma(
         "Walls that no boundary separates from a stable wall are stable",
         enclosed_walls_are_stable(),
         because="along a path between two walls the zeros are continuous, and none crosses the "
-        "circle; for every plant and every integer delay",
+        "circle; this holds for every plant and every integer delay",
     )
     page.settle(
         "fig9", drawn(), note="for $d=2$ the spring changes the width by more than one percent"

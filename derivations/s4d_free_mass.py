@@ -1,6 +1,6 @@
 r"""Which walls of a free mass are stable?
 
-A mass without arm and damping, $\gamma=\delta=0$, with an integer delay of $d$ periods: its
+For a mass without arm and damping, $\gamma=\delta=0$, and with an integer delay of $d$ periods, the
 boundary is known in closed form. We show that the first arc, $0<(d+1)\theta<\pi/2$, and the line
 $\alpha=0$ enclose exactly the stable walls.
 """
@@ -18,7 +18,7 @@ CURVATURE = (d + 1) ** 2 * cos(ANGLE) + alpha * BENT / 8
 def derive(page):
     polynomial = loop.characteristic(FREE)
     stiffness, damping = boundary.wall(plant.sampled(plant.normalised(FREE)))
-    page.define(r"The parameter is $\tau=\tan(\theta/2)$", tau, tan(theta / 2))
+    page.define(r"The parameter of the boundary is $\tau=\tan(\theta/2)$", tau, tan(theta / 2))
     page.step(
         "On the boundary of a free mass the stiffness is a multiple of a cosine",
         stiffness,
@@ -33,16 +33,18 @@ def derive(page):
     )
     necessary(page, polynomial)
     page.lemma(
-        "On the boundary of a free mass the stiffness and the angle give the damping",
+        "On the boundary of a free mass the damping is a function of stiffness and angle",
         damping_given(),
         because=r"for a given $\alpha$ the damping grows with $\theta$",
     )
     page.say(
-        r"Therefore the damping at $\theta_1$ is less than at $\theta_2$, and at every later "
-        r"angle it is more than at $\theta_2$ or negative: the boundary does not enter the region "
-        r"between the two, $0<\alpha<\alpha_{\max}$. A wall there has no root at 1 and, by the "
-        "real part, none at $-1$. The region is connected, so all its walls are stable if one "
-        r"is. Near $\alpha=0$ it contains walls of small positive $\beta$:"
+        r"A stiffness $0<\alpha<\alpha_{\max}$ occurs at two angles $\theta_1<\theta_2$ of the "
+        r"first arc. Therefore the damping at $\theta_1$ is less than at $\theta_2$. At every "
+        r"larger angle with this stiffness the damping is negative or more than at $\theta_2$, so "
+        "the boundary does not enter the region between the two dampings. A wall of this region "
+        "has no root at 1 and, by the real part, none at $-1$. The region is connected, so all its "
+        r"walls are stable if one is. Near $\alpha=0$ the region contains walls with a small "
+        r"positive $\beta$:"
     )
     loose = z ** (d + 1) * (z - 1) + beta * (z + 1) / 2
     page.step(
@@ -56,20 +58,20 @@ def derive(page):
         (-diff(loose, beta) / diff(loose, z)).subs(beta, 0).subs(z, 1),
         -1,
         name=r"\frac{dz}{d\beta}",
-        because=r"it starts from $z=1$ at $\beta=0$; the other $d+1$ roots start at 0",
+        because=r"this root is at $z=1$ for $\beta=0$; the other $d+1$ roots are at 0",
     )
     page.step(
         "The first root near 1 moves inside",
         (-diff(polynomial, alpha) / diff(polynomial, z)).subs({alpha: 0, z: 1}),
         -1 / beta,
         name=r"\frac{dz}{d\alpha}",
-        because=r"it starts from $z=1$ at $\alpha=0$. So walls with small $\beta$ and much "
-        r"smaller $\alpha$ are stable, and with them the whole region",
+        because=r"this root is at $z=1$ for $\alpha=0$. So walls with small $\beta$ and much "
+        r"smaller $\alpha$ are stable, and therefore the whole region is stable",
     )
     page.figure(
         "free_mass",
-        "Stable walls of a free mass: the first arc of the boundary and the line $\\alpha=0$; the "
-        "dots are the stiffest walls.",
+        "Stable walls of a free mass, between the first arc of the boundary and the line "
+        r"$\alpha=0$. The dots are the walls of maximum stiffness.",
         free_mass,
     )
 
@@ -87,28 +89,31 @@ def necessary(page, polynomial):
     imaginary = sin(theta) / 2 * (alpha + 2 * beta - 4 * tau * sin(ANGLE))
     turned = on_circle(polynomial) * exp(-I * theta)
     page.step(
-        "On the upper half of the circle the polynomial has these two parts",
+        "On the upper half of the circle a cosine and a sine give the two parts of the polynomial",
         turned,
         real + I * imaginary,
         name=r"e^{-j\theta}p_1(e^{j\theta})",
     )
     root = x + I * y
     page.step(
-        r"The phase of the polynomial grows with $\theta$ by this contribution of a root $r=x+jy$",
+        r"A root $r=x+jy$ contributes one term to the growth of the phase with $\theta$",
         real_part(on_circle(z / (z - root))) - HALF,
         (1 - x**2 - y**2) / (2 * ((cos(theta) - x) ** 2 + (sin(theta) - y) ** 2)),
         name=r"\frac{d}{d\theta}\arg(e^{j\theta}-r)-\tfrac12",
-        because="it is positive for $|r|<1$",
+        because="the term is positive for $|r|<1$",
     )
     page.say(
         r"With all $d+3$ roots inside, the phase of $p_1(e^{j\theta})$ grows by $(d+3)\pi$ over "
-        r"$0<\theta<\pi$, and that of the left side above by $(d+2)\pi$. It starts at $\alpha>0$ "
-        r"and always increases, as $\frac12(d+3)>1$. So its real part has $d+2$ zeros; at the "
-        r"first two, $\theta_1<\theta_2$, its imaginary part is positive and negative. The real "
-        r"part vanishes where $h=\cos(d+1)\theta-\frac\alpha4\cot^2\frac\theta2$ does."
+        r"$0<\theta<\pi$, and that of the left side of the last but one step by $(d+2)\pi$. The "
+        r"left side is $\alpha>0$ at $\theta=0$, and its phase always increases, as "
+        r"$\frac12(d+3)>1$. So its real part has $d+2$ zeros. At the first two of them, "
+        r"$\theta_1<\theta_2$, its imaginary part is positive and then negative. The real part and "
+        r"$h=\cos(d+1)\theta-\frac\alpha4\cot^2\frac\theta2$ have the same zeros."
     )
     level = cos(ANGLE) - alpha / 4 * cot(theta / 2) ** 2
-    page.step("The function $h$ has this curvature", -diff(level, theta, 2), CURVATURE, name="-h''")
+    page.step(
+        "The second derivative of $h$ is a sum", -diff(level, theta, 2), CURVATURE, name="-h''"
+    )
     page.lemma(
         "The curvature of $h$ has one sign where $\\cos(d+1)\\theta$ is not negative",
         concave(),
@@ -116,12 +121,12 @@ def necessary(page, polynomial):
     )
     page.say(
         r"A zero of $h$ requires $\cos(d+1)\theta>0$. On the first interval, $(d+1)\theta<\pi/2$, "
-        r"and on each interval around $2\pi,4\pi,\ldots$ a concave $h$ has at most two zeros. On "
-        r"the half interval before $\theta=\pi$, for odd $d$, it has one, as it rises from "
-        "negative values to 1. These are at most $d+2$ zeros, so each interval has its maximal "
-        r"number, and $\theta_1$, $\theta_2$ lie on the first arc. There $\alpha$ is that of the "
-        r"boundary, and by the imaginary part $\beta$ lies between the two dampings. No other "
-        "wall is stable."
+        r"and on each interval around $2\pi,4\pi,\ldots$ a concave $h$ has at most two zeros. For "
+        r"odd $d$, $h$ has one zero on the half interval before $\theta=\pi$, as it rises from "
+        "negative values to 1. These are at most $d+2$ zeros, so each interval contains its "
+        r"maximal number of zeros, and $\theta_1$, $\theta_2$ lie on the first arc. At both angles "
+        r"$\alpha$ is the stiffness of the boundary, and by the signs of the imaginary part "
+        r"$\beta$ lies between the two dampings. No other wall is stable."
     )
 
 

@@ -1,7 +1,7 @@
-r"""Maximum stiffness and damping of the stable walls of a free mass
+r"""What are the largest stiffness and the largest damping of a stable wall of a free mass?
 
 The stable walls of a free mass lie between the line $\alpha=0$ and the first arc of the boundary,
-$0<(d+1)\theta\le\pi/2$. On it we look for the largest stiffness and the largest damping.
+$0<(d+1)\theta\le\pi/2$. On this arc we look for the largest stiffness and the largest damping.
 """
 
 from sympy import chebyshevt
@@ -28,7 +28,7 @@ DELAYS = range(9)
 def derive(page):
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     stiffness, damping = boundary.wall(free)
-    page.define(r"The parameter is $\tau=\tan(\theta/2)$", tau, tan(theta / 2))
+    page.define(r"The parameter of the boundary is $\tau=\tan(\theta/2)$", tau, tan(theta / 2))
     page.step(
         "The stiffness on the arc is quadratic in $\\tau$",
         stiffness,
@@ -51,14 +51,14 @@ def derive(page):
     rises, falls = signs()
     page.lemma("The damping rises along the arc: each term of its slope is positive", rises)
     page.step(
-        "The largest damping is that of its end, where $\\alpha=0$",
+        r"The damping is largest at the end of the arc, where $\alpha=0$",
         damping.subs(theta, pi / (2 * (d + 1))),
         2 * tan(pi / (4 * (d + 1))),
         name=r"\beta_{\max}",
         boxed=True,
-        because="a bound that is approached as $\\alpha\\to0$",
+        because=r"stable walls approach this bound as $\alpha\to0$",
     )
-    page.define("One function gives the sign of the stiffness's slope", BRACKET, bend)
+    page.define("The function $g$ gives the sign of the slope of the stiffness", BRACKET, bend)
     page.step(
         "The slope of the stiffness has the sign of $g$",
         diff(stiffness, theta),
@@ -67,7 +67,7 @@ def derive(page):
     )
     page.step("The slope of $g$ is a sum", -diff(bend, theta), FALL, name=r"-\frac{dg}{d\theta}")
     page.lemma("The function $g$ falls along the arc: each term is positive", falls)
-    page.step("The function $g$ starts from 2", bend.subs(theta, 0), S(2), name="g(0)")
+    page.step(r"At $\theta=0$ the function $g$ is 2", bend.subs(theta, 0), S(2), name="g(0)")
     page.step(
         "The function $g$ is negative where the arc ends",
         -bend.subs(theta, pi / (2 * (d + 1))),
@@ -93,10 +93,10 @@ def signs():
 def whole_delays(page, stiffness, bend):
     """The largest stiffness as an algebraic number."""
     page.say(
-        r"For integer $d$ all this is algebraic in $x=\cos\theta$: with the Chebyshev polynomial "
-        r"$C=\cos(d+1)\theta$ of $x$, the largest $\alpha/4$ is $\rho=\frac{1-x}{1+x}C$ at the "
-        r"root of $g=2C-(1-x^2)C'$ on the arc. Multiplication by $\rho$ modulo $g$ has the "
-        r"characteristic polynomial $\mu_d$, which is irreducible:"
+        r"For integer $d$ stiffness and slope are algebraic in $x=\cos\theta$. Let "
+        r"$C=\cos(d+1)\theta$ be the Chebyshev polynomial of $x$. The largest $\alpha/4$ is "
+        r"$\rho=\frac{1-x}{1+x}C$ at the root of $g=2C-(1-x^2)C'$ on the arc. Multiplication by "
+        r"$\rho$ modulo $g$ has the characteristic polynomial $\mu_d$, which is irreducible:"
     )
     wave = cos(ANGLE)
     page.same(
@@ -122,12 +122,13 @@ def whole_delays(page, stiffness, bend):
         because="$\\alpha_{\\max}(d)/4$ is the smallest positive root of $\\mu_d$",
     )
     page.enclosed(
-        "The largest stable stiffnesses of a free mass are enclosed",
+        "Intervals contain the largest stable stiffnesses of a free mass",
         [
             (rf"\alpha_{{\max}}({delay})", value(4 * rho, {rho: number}))
             for delay, number in enumerate(found)
         ],
-        because="at the one root of $g$ on the arc, by balls around all roots",
+        because="the stiffness is largest at the one root of $g$ on the arc, and balls around all "
+        "roots of $g$ find this root",
     )
     at = sqrt(2) - 1
     page.step(
@@ -136,5 +137,5 @@ def whole_delays(page, stiffness, bend):
         12 - 8 * sqrt(2),
         name=r"\alpha_{\max}(0)",
         boxed=True,
-        because="at $\\cos\\theta=\\sqrt2-1$, a root of $x^2+2x-1$",
+        because=r"the maximum is at $\cos\theta=\sqrt2-1$, a root of $x^2+2x-1$",
     )

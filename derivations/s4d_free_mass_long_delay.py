@@ -18,8 +18,8 @@ AT = r"at $\varphi=\varphi_*$"
 def derive(page):
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     stiffness = boundary.wall(free)[0].subs(d, 1 / h - 1).subs(theta, h * phi)
-    page.define("The reciprocal of the delay plus one period", d, 1 / h - 1)
-    page.define("The boundary's stiffness", alpha, stiffness)
+    page.define("The number $h$ is the reciprocal of the delay plus one period", d, 1 / h - 1)
+    page.define(r"The boundary of a free mass has the stiffness $\alpha$", alpha, stiffness)
     scaled = page.step(
         r"As a function of $\varphi$ the stiffness is its limit times a factor near 1",
         stiffness / h**2,
@@ -39,21 +39,21 @@ def derive(page):
         diff(LONG, phi),
         phi * cos(phi) * (2 - phi * tan(phi)),
         name=r"\tfrac{d}{d\varphi}\,\varphi^2\cos\varphi",
-        because="the bracket falls, to zero at one angle $\\varphi_*$, where this is largest",
+        because=r"the bracket falls and vanishes at one angle $\varphi_*$, where the limit is "
+        "largest",
     )
     angle = zero(2 * cos(phi) - phi * sin(phi), phi, S.One, Rational(11, 10))
     largest = value(LONG, {phi: angle})
     page.enclosed(
-        "Angle and height of the peak are enclosed",
+        "Intervals contain the angle and the height of the maximum",
         [(r"\varphi_*", angle), (r"\varphi_*^2\cos\varphi_*", largest)],
     )
     sides(page)
     page.say(
-        "With $h\\varphi\\le h\\pi/2$ the largest stiffness is therefore kept between two sides "
-        "for every real $d\\ge0$,\n\n"
-        "$\\displaystyle\\quad\\varphi_*^2\\cos\\varphi_*<(d+1)^2\\alpha_{\\max}\\le"
-        "\\varphi_*^2\\cos\\varphi_*\\left(\\frac{\\tan(h\\pi/4)}{h\\pi/4}\\right)^2,$\n\n"
-        "and $(d+1)^2\\alpha_{\\max}$ falls all the way, from $12-8\\sqrt2$ without delay."
+        r"As $h\varphi\le h\pi/2$, the largest stiffness has a lower and an upper bound for every "
+        "real $d\\ge0$,\n\n"
+        "$\\displaystyle\\quad\\varphi_*^2\\cos\\varphi_*<(d+1)^2\\alpha_{\\max}\\le\\varphi_*^2\\cos\\varphi_*\\left(\\frac{\\tan(h\\pi/4)}{h\\pi/4}\\right)^2,$\n\n"
+        r"and $(d+1)^2\alpha_{\max}$ falls as the delay grows, from $12-8\sqrt2$ without delay."
     )
     factor = (tan(h * pi / 4) / (h * pi / 4)) ** 2
     page.limit("The ratio of the two bounds tends to 1", factor, h, S.Zero, S.One)
@@ -65,7 +65,7 @@ def expansion(page, scaled, angle):
     next_one = phi**4 * cos(phi) / 6
     name = r"\bigl((d+1)^2\alpha-\varphi^2\cos\varphi\bigr)/h^2"
     page.limit(
-        "The next term is of the order $h^2$",
+        "The next term is of order $h^2$",
         (scaled - LONG) / h**2,
         h,
         S.Zero,
@@ -80,23 +80,24 @@ def expansion(page, scaled, angle):
         diff(LONG, phi, 2).subs(there),
         -(6 + phi**2) * cos(phi),
         name=r"\tfrac{d^2}{d\varphi^2}\,\varphi^2\cos\varphi",
-        because="since it is not zero, the largest value and its angle are power series in $h^2$",
+        because="since the curvature is not zero, the largest value and its angle are power series "
+        "in $h^2$",
     )
     shift = diff(next_one, phi).subs(there) ** 2 / (2 * bent)
     page.say(
-        r"With them $(d+1)^2\alpha_{\max}=\varphi_*^2\cos\varphi_*\,(1+a_2h^2+a_4h^4+\ldots)$, "
-        "where the change of the angle enters $a_4$ only:"
+        r"So $(d+1)^2\alpha_{\max}=\varphi_*^2\cos\varphi_*\,(1+a_2h^2+a_4h^4+\ldots)$. The change "
+        "of the angle enters only the coefficient $a_4$:"
     )
     second, third = phi**2 / 6, phi**4 * (Rational(17, 720) + 1 / (18 * (6 + phi**2)))
     page.step(
-        "At the peak the factor of $h^2$ is $\\varphi_*^2/6$",
+        r"The coefficient of $h^2$ is $\varphi_*^2/6$",
         next_one / LONG,
         second,
         name="a_2",
         because=AT,
     )
     page.step(
-        "At the peak the factor of $h^4$ is rational in $\\varphi_*^2$",
+        r"The coefficient of $h^4$ is rational in $\varphi_*^2$",
         (after - shift) / LONG,
         third,
         name="a_4",
@@ -104,7 +105,7 @@ def expansion(page, scaled, angle):
     )
     numbers = (value(term, {phi: angle}) for term in (second, third))
     page.enclosed(
-        "The factors of the next terms are enclosed",
+        "Intervals contain the coefficients of the next terms",
         list(zip(("a_2", "a_4"), numbers, strict=True)),
     )
 

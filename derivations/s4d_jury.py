@@ -1,9 +1,9 @@
 """Which inequalities keep every root inside the unit circle?
 
 The paper names Jury's criterion for the stable regions, but uses a grid, since the inequalities
-soon become complex. We look for few and small inequalities that are equivalent to stability, for
-any polynomial. Half of Jury's determinants are sufficient, with half planes in place of the others
-(Anderson and Jury, 1973).
+soon become complicated. We look for few and small inequalities that are equivalent to stability,
+for any polynomial. Half of Jury's determinants are sufficient, if linear inequalities (half planes)
+replace the others (Anderson and Jury, 1973).
 """
 
 from sympy import Matrix, S, expand, symbols
@@ -18,61 +18,65 @@ DEGREES = range(2, 8)
 
 def derive(page):
     page.say(
-        "Let $p(z)=a_nz^n+\\ldots+a_0$ be real, $a_n>0$, and $x=z+1/z$, which is $2\\cos\\theta$ "
-        "on the circle. We add $p$ and its mirror image $z^np(1/z)$ and subtract them. For $n=2m$ "
-        "the sum is $z^mF(x)$ and the difference $z^m(z-1/z)G(x)$; for $n=2m+1$ they are "
-        "$z^m(z+1)F(x)$ and $z^m(z-1)G(x)$."
+        r"Let $p(z)=a_nz^n+\ldots+a_0$ be a real polynomial with $a_n>0$, and let $x=z+1/z$. On "
+        r"the circle $x=2\cos\theta$. We add $p$ and its mirror image $z^np(1/z)$ and subtract "
+        "them. For $n=2m$ the sum is $z^mF(x)$ and the difference $z^m(z-1/z)G(x)$; for $n=2m+1$ "
+        "they are $z^m(z+1)F(x)$ and $z^m(z-1)G(x)$."
     )
     halves(page)
     page.say(
         r"On the circle $z^{-n/2}p$ is $\tfrac12F+j\sin\theta\,G$ for even $n$ and "
-        r"$\cos\tfrac\theta2\,F+j\sin\tfrac\theta2\,G$ for odd $n$. Let all roots lie inside. "
-        r"Then the argument of every factor $z-z_i$ increases, and that of $p$ grows by $n\pi/2$ "
-        r"over $0<\theta<\pi$. It crosses the imaginary axis ($n$ even) or the real axis ($n$ "
-        "odd) $m$ times. Each time $F$ or $G$ has a root, real, simple and with $|x|<2$. The "
-        "direction of the crossing gives $F'G>0$ there, or $FG'<0$ at the roots of $G$."
+        r"$\cos\tfrac\theta2\,F+j\sin\tfrac\theta2\,G$ for odd $n$. Let all roots lie inside. Then "
+        r"the argument of every factor $z-z_i$ increases, and that of $p$ grows by $n\pi/2$ over "
+        r"$0<\theta<\pi$. So $p$ crosses the imaginary axis ($n$ even) or the real axis ($n$ odd) "
+        "$m$ times. At each crossing $F$ or $G$ has a root that is real and simple and has "
+        "$|x|<2$. The direction of the crossing gives $F'G>0$ at the roots of $F$, and $FG'<0$ at "
+        "the roots of $G$."
     )
     page.say(
-        "Conversely, let all $m$ roots of $F$ or of $G$ have these properties and $p(1)>0$, for "
-        "odd $n$ also $G(2)>0$. The argument starts at 0, crosses the axis $m$ times in the "
-        r"positive direction and ends on an axis: at $m\pi$ for even $n$ and at $m\pi+\frac\pi2$ "
-        r"for odd $n$. That is $n\pi/2$, so $p$ encircles the origin $n$ times on the full "
-        "circle, and all roots lie inside."
+        "Conversely, let all $m$ roots of $F$ or of $G$ have these properties, and let $p(1)>0$, "
+        "and for odd $n$ also $G(2)>0$. The argument starts at 0, crosses the axis $m$ times in "
+        r"the positive direction and ends on an axis: at $m\pi$ for even $n$ and at "
+        r"$m\pi+\frac\pi2$ for odd $n$. Both are $n\pi/2$, so $p$ encircles the origin $n$ times "
+        "on the full circle, and all roots lie inside."
     )
     page.say(
         "A symmetric matrix $B$ of order $m$ decides whether the roots are real, simple and "
-        "crossed in the positive direction. It holds the coefficients of "
+        "crossed in the positive direction. It contains the coefficients of "
         "$(F(x)G(y)-F(y)G(x))/(x-y)$, the highest powers first."
     )
     bezout(page)
     page.say(
-        r"If $B$ is positive definite, $F$ (or $G$) has no complex pair $\xi,\bar\xi$ and no "
-        "double root, where the form would vanish, and $F'G>0$ (or $FG'<0$) at each root. "
-        "Conversely real simple roots with this sign make the form a sum of $m$ squares with "
-        "positive weights. So all roots lie inside if the $m$ leading minors of $B$ are positive "
-        "and the roots have $|x|<2$. For even $n$ the first row has the factor $f_m=a_n+a_0$; it "
-        "is taken out, since the following conditions make it positive."
+        "Suppose that $B$ is positive definite. Then $F$ (or $G$) has no complex pair "
+        r"$\xi,\bar\xi$ and no double root, since the form would vanish there, and $F'G>0$ (or "
+        "$FG'<0$) at each root. Conversely, if the roots are real and simple and have this sign, "
+        "the form is a sum of $m$ squares with positive weights. So all roots of $p$ lie inside if "
+        "the $m$ leading minors of $B$ are positive and the roots of $F$ (or $G$) have $|x|<2$. "
+        "For even $n$ the first row has the factor $f_m=a_n+a_0$. We divide by this factor, since "
+        "the following conditions make it positive."
     )
     page.step(
         "The circle is mapped to the imaginary axis",
         (z + 1 / z).subs(z, (1 + s) / (1 - s)),
         2 * (1 + s**2) / (1 - s**2),
         name="x",
-        because="with $z=(1+s)/(1-s)$ it is $s=j\\tan(\\theta/2)$, and $|x|<2$ is $s^2<0$",
+        because=r"with $z=(1+s)/(1-s)$ the points of the circle are $s=j\tan(\theta/2)$, and "
+        "$|x|<2$ means $s^2<0$",
     )
     half_planes(page)
     page.say(
-        "All $c_k$ are positive if all roots lie inside, since then $\\Re s<0$. Those whose index "
-        "has the parity of $n$ make up $\\tfrac12(1-s^2)^mF$ for even $n$ and $s(1-s^2)^mG$ for "
-        "odd $n$. If they are positive, no root of $F$ (or $G$) has $s^2\\ge0$, so that the real "
-        "ones have $|x|<2$, and $G(2)>0$. At $s=1$ they add up to $2^{n-1}(a_n\\pm a_0)$, which is "
+        r"Let $c_k$ be the coefficients of $(1-s)^np$. If all roots lie inside, they have $\Re "
+        "s<0$, and all $c_k$ are positive. The $c_k$ whose index has the parity of $n$ are the "
+        r"coefficients of $\tfrac12(1-s^2)^mF$ for even $n$, and of $s(1-s^2)^mG$ for odd $n$. If "
+        r"they are positive, no root of $F$ (or $G$) has $s^2\ge0$. So the real roots have "
+        r"$|x|<2$, and $G(2)>0$. The sum of these $c_k$ is $2^{n-1}(a_n\pm a_0)$. This number is "
         "therefore positive, and no root is at infinity."
     )
     page.say(
-        "So \\emph{all roots lie inside if and only if $c_n,c_{n-2},\\ldots$, $c_0$ and the $m$ "
-        "leading minors are positive}. These are $n+1$ inequalities. Among them are "
-        "$c_0=p(1)$ and $c_n=(-1)^np(-1)$, and all $c_k$ are linear in the coefficients of $p$: "
-        "half planes, for our loop."
+        r"So \emph{all roots lie inside if and only if $c_n,c_{n-2},\ldots$, $c_0$ and the $m$ "
+        "leading minors are positive}. These are $n+1$ inequalities. Two of the $c_k$ are "
+        "$c_0=p(1)$ and $c_n=(-1)^np(-1)$. All $c_k$ are linear in the coefficients of $p$, so "
+        "that they are half planes for our loop."
     )
     inners(page)
 
@@ -103,7 +107,7 @@ def bezout(page):
         Matrix(jury.bezoutian(f, g)),
         matrix,
         name="B",
-        because="for $F=f_2x^2+f_1x+f_0$",
+        because="the matrix follows from $F=f_2x^2+f_1x+f_0$ and $G=g_1x+g_0$",
     )
     for m in (1, 2, 3):
         f, g = symbols(f"f_0:{m + 1}"), symbols(f"g_0:{m + 1}")
@@ -133,7 +137,7 @@ def half_planes(page):
         half = polynomials(rising)[n % 2].subs(x, 2 * (1 + s**2) / (1 - s**2))
         part = (mapped + (-1) ** n * mapped.subs(s, -s)) / 2
         page.same("parity", part, (1 - s**2) ** (n // 2) * half * (s if n % 2 else S.Half))
-    page.say("Let $c_k$ be the coefficients of $(1-s)^np$, so that the sign of $p$ is kept:")
+    page.say("With the factor $(1-s)^n$ the coefficients $c_k$ keep the sign of $p$:")
     for k, at, plane, c in zip(
         (0, 1, 3),
         ("first half plane belongs to $z=1$", "second lies between", "last belongs to $z=-1$"),
@@ -152,13 +156,13 @@ def inners(page):
         matrices = [jury.inner(falling, order) for order in range(1 + n % 2, n, 2)]
         page.same("Jury's inners", minors, [m.det() for m in matrices])
     page.step(
-        "For degree 4 the last minor is a determinant of Jury's",
+        "For degree 4 the last minor is one of Jury's determinants",
         minors[-1],
         matrices[-1].det(),
         name="|X-Y|",
-        because=f"with $X-Y={latex(matrices[-1])}$; the other minor is the determinant of its "
-        "inner matrix, without the first and last row and column. Jury's other determinants, "
-        "$|X+Y|$, are not needed",
+        because=f"the determinant is that of $X-Y={latex(matrices[-1])}$; the other minor is the "
+        "determinant of its inner matrix, without the first and last row and column. Jury's other "
+        "determinants, $|X+Y|$, are not needed",
     )
 
 

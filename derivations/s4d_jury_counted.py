@@ -1,8 +1,8 @@
-r"""How do the inequalities grow with the delay?
+r"""How do the inequalities of Jury's criterion grow with the delay?
 
 The criterion of \chapter{s4d_jury} is applied to the loop, with the device's numbers $n_1$, $n_0$,
-$a$ and $e$ left as symbols. Which of its inequalities form the boundary of the stable region, is
-any of them redundant, and how large do they become?
+$a$ and $e$ left as symbols. We ask which inequalities form the boundary of the stable region,
+whether one of them is redundant, and how large they become.
 """
 
 from itertools import combinations
@@ -22,7 +22,10 @@ HEAD = ["$d$", "inequalities", "half planes", "terms", "degree in $\\alpha$", "i
 
 
 def derive(page):
-    page.say("Without delay, $n=3$, there are three half planes and one minor, for any device:")
+    page.say(
+        "Without delay the degree is $n=3$, and there are three half planes and one minor for "
+        "any device:"
+    )
     found = page.lemma(
         "Without delay a wall is stable if and only if four inequalities hold",
         collected(
@@ -37,32 +40,31 @@ def derive(page):
             - n_0 * alpha * (1 + n_1 * beta)
             > 0,
         ),
-        because="for the numbers of any device; a theorem of this kind holds for each integer "
-        "delay",
+        because="this holds for any device; a theorem of this kind holds for each integer delay",
         boxed=True,
     )
     none_is_idle(page, found.conclusion.of[1])
     page.say(
-        r"The function \texttt{jury} and the command \texttt{symhaptic jury} give the "
-        "inequalities for every integer delay, with the device's numbers as symbols or in "
-        "numbers."
+        r"The function \texttt{jury} and the command \texttt{symhaptic jury} give the inequalities "
+        "for every integer delay, with the device's coefficients as symbols or as numbers."
     )
     page.state(
         "jury-inequalities",
-        "a wall is stable if and only if all inequalities of \\texttt{jury} hold, for $d=0$, 1 "
-        "and 2 and the numbers of any device",
+        "for any device and for $d=0$, 1 and 2 a wall is stable if and only if all inequalities of "
+        r"\texttt{jury} hold",
         claim=decided_by_jury(),
     )
     page.settle(
         "jury-inequalities",
         jury_decides(),
-        note="for longer delays they are made in the same way and compared with roots in tests",
+        note="for longer delays the same program makes the inequalities, and tests compare them "
+        "with computed roots",
     )
-    page.say("With delay there are $d+4$ inequalities, and they grow:")
+    page.say("With a delay there are $d+4$ inequalities, and the largest one grows with $d$:")
     page.table(
-        "The inequalities in $\\alpha$, $\\beta$ and the device's four numbers: how many, how many "
-        "of them are half planes of the $(\\alpha,\\beta)$-plane; terms and degrees of the largest "
-        "one, and its terms for a free mass.",
+        r"The inequalities in $\alpha$, $\beta$ and the four coefficients of the device: their "
+        r"number, the number of half planes of the $(\alpha,\beta)$-plane among them, the number "
+        "of terms and the degrees of the largest one, and the number of its terms for a free mass.",
         [*HEAD, "free mass"],
         [row(delay) for delay in range(9)],
     )
@@ -73,12 +75,13 @@ def derive(page):
     )
     pairs(page)
     page.say(
-        "This holds for every $n$. Up to a positive factor the last minor is the resultant of "
-        "$F$ and $G$. That is zero where they share a root $x$, where $p(z)=p(1/z)=0$, so it has "
-        "every factor $1-r_ir_k$; the degrees agree, and both sides are 1 for $z^n$. On a path "
-        r"out of the stable region \emph{only $p(1)$, $p(-1)$ and the last minor can vanish "
-        r"first}: a root leaves at 1, at $-1$ or with its conjugate, $r\bar r=1$. The other "
-        "inequalities exclude walls with an even number of roots outside."
+        "This holds for every $n$. Up to a positive factor the last minor is the resultant of $F$ "
+        "and $G$. The resultant is zero if both share a root $x$, that is, if $p(z)=p(1/z)=0$. So "
+        "the resultant has every factor $1-r_ir_k$. The degrees agree, and both sides are 1 for "
+        r"$z^n$. On a path out of the stable region \emph{only $p(1)$, $p(-1)$ and the last minor "
+        "can vanish first}: a root leaves the unit circle at 1, at $-1$ or together with its "
+        r"conjugate, $r\bar r=1$. The other inequalities exclude walls with an even number of "
+        "roots outside."
     )
 
 

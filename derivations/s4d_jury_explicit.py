@@ -1,8 +1,8 @@
 r"""Which walls are stable without delay?
 
-Gil et al. solved the inequalities for $d=0$ without a spring. There are four, and the last is
-linear in $\alpha$, so that its boundary has a solution with any spring. Without a spring one
-formula is sufficient, and we show for which devices.
+Gil et al. solved Jury's inequalities for $d=0$ without a spring. There are four inequalities. The
+last one is linear in $\alpha$, so that it can be solved for the stiffness with any spring. Without
+a spring one formula is sufficient for some devices, and we show for which.
 """
 
 from symhaptic.book.lemmas.damped_mass import signs, stable_damped_mass
@@ -20,7 +20,10 @@ def derive(page):
     held = plant.sampled(plant.normalised(FULL), split=c)
     rest = held.transfer.subs(z, 1).subs(gamma, (delta**2 - c**2) / 4)
     page.same("at rest", rest, 4 / (delta**2 - c**2))
-    page.say(r"With a spring $P(1)=1/\gamma$, that is $a=1+e-\gamma(n_1+n_0)$. So for any device:")
+    page.say(
+        r"A device with a spring has $P(1)=1/\gamma$, that is $a=1+e-\gamma(n_1+n_0)$. So for "
+        "any device:"
+    )
     spring = {a: 1 + e - gamma * RISE}
     one = RISE * (alpha + gamma)
     page.step(r"One half plane is $\alpha>-\gamma$", first.subs(spring), one, name="p_1(1)")
@@ -34,32 +37,33 @@ def derive(page):
         name=r"\Delta_2",
     )
     page.lemma(
-        "At this stiffness the minor vanishes, with any spring",
+        "One stiffness makes the minor vanish, with any spring",
         combined(Eq(split, 0), [assume(Eq(alpha + gamma, top / below)), -below]),
         because="so the boundary needs neither a grid nor a parameter, with a spring as well",
         boxed=True,
     )
     page.say(
-        "Without a spring $\\gamma=0$, and the numbers are those of a damped mass: $a=1+e$ and "
-        "$1-e=\\delta(n_1+n_0)$."
+        r"Without a spring $\gamma=0$, and the coefficients are those of a damped mass: $a=1+e$ "
+        r"and $1-e=\delta(n_1+n_0)$."
     )
     sums = [f.subs(NUMBERS) for f in (RISE, (1 - e) / delta, 1 - delta * n_1)]
     page.same("the sum", *sums)
     page.same("the trace", DAMPED.a, 1 + DAMPED.e)
     minor = minor.subs(a, 1 + e).subs(e, 1 - delta * RISE)
     last = RISE * (beta + delta) * (1 - n_0 * beta) - n_0 * alpha * (1 + n_1 * beta)
-    page.step("Without a spring the minor has the same form", minor, last, name=r"\Delta_2")
+    page.step(
+        "Without a spring the minor is also linear in the stiffness", minor, last, name=r"\Delta_2"
+    )
     page.lemma(
         r"The numerator of a damped mass has $0<n_0\le n_1$",
         conj(*signs()),
         because="the impulse response of the device is positive during the period",
     )
     page.lemma(
-        r"Without spring and delay, with $\delta\le\frac13$, the minor and two bounds decide "
-        "stability",
+        r"Without spring and delay the minor and two bounds decide stability if $\delta\le\frac13$",
         stable_damped_mass(),
-        because="a stable wall has $1+n_1\\beta>0$ and $n_0\\beta<1$, so that the minor is not "
-        "positive for $\\beta\\le-\\delta$; the other two half planes follow from these three "
+        because=r"a stable wall has $1+n_1\beta>0$ and $n_0\beta<1$, so that the minor is not "
+        r"positive for $\beta\le-\delta$; the remaining half planes follow from these three "
         "inequalities",
         boxed=True,
     )
@@ -71,16 +75,22 @@ def formulas(page, minor):
     most = RISE * (beta + delta) * (1 - n_0 * beta) / (n_0 * (1 + n_1 * beta))
     page.same("the minor vanishes", minor.subs(alpha, most), S.Zero)
     page.say(
-        "So for $0<\\delta\\le\\tfrac13$ a wall is stable if and only if "
-        "$-\\delta<\\beta<1/n_0$ and $0<\\alpha<\\alpha_0(\\beta)$, where the minor vanishes "
-        "at $\\alpha_0$. At $\\delta=4.6$ the third half plane is needed, too."
+        r"So for $0<\delta\le\tfrac13$ a wall is stable if and only if $-\delta<\beta<1/n_0$ and "
+        r"$0<\alpha<\alpha_0(\beta)$, where the minor vanishes at $\alpha_0$. For $\delta=4.6$ the "
+        "third half plane is also necessary."
     )
     f = exp(-delta)
     left = 1 - (1 + delta) * f
     explicit = delta * (1 - f) * (beta + delta) * (delta**2 - left * beta)
     explicit /= left * (delta**2 + (delta - 1 + f) * beta)
     most = most.subs(NUMBERS)
-    page.step("The solution is explicit", most, explicit, name=r"\alpha_0", boxed=True)
+    page.step(
+        "The largest stiffness without a spring is explicit",
+        most,
+        explicit,
+        name=r"\alpha_0",
+        boxed=True,
+    )
     kept = m - (m + b * T) * exp(-b * T / m)
     physical = b * (b + B) * (1 - exp(-b * T / m)) / kept
     physical *= (b**2 * T - kept * B) / (b**2 * T + (b * T - m + m * exp(-b * T / m)) * B)
@@ -93,7 +103,7 @@ def formulas(page, minor):
     )
     still = 2 * beta * (2 - beta) / (2 + beta)
     page.limit(
-        "Without damping the solution tends to a limit",
+        "Without damping the largest stiffness tends to a limit",
         explicit,
         delta,
         S.Zero,

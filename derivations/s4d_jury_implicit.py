@@ -1,8 +1,8 @@
 r"""Is there an explicit solution with a delay of one period?
 
-The paper says that only an implicit solution could be determined for $d=1$. We write it down for
-every device and find that it is quadratic in $\alpha$. For longer delays we show that it agrees
-with the explicit boundary.
+The paper says that only an implicit solution could be determined for $d=1$. We derive this equation
+for every device and find that it is quadratic in $\alpha$. For longer delays we show that the
+implicit equation agrees with the explicit boundary.
 """
 
 from symhaptic.book.figures.passivity import free_mass_inequalities
@@ -22,20 +22,26 @@ def derive(page):
         (1 + n_0 * beta) ** 2 * (1 - e - n_1 * (alpha + beta) - n_0 * beta)
         - (low + a) * (low - a * n_0 * beta),
         name=r"\Delta_3",
-        because="for every device",
+        because="this holds for every device",
     )
-    page.say("Without a spring it is quadratic in $\\alpha$:")
+    page.say(r"Without a spring we show that the minor is quadratic in $\alpha$:")
     page.define("Without a spring the device has a pole at 1", a, 1 + e)
-    page.define("Without a spring the other pole is given by the damping", e, 1 - delta * RISE)
+    page.define("Without a spring the damping gives the other pole", e, 1 - delta * RISE)
     linear = n_0**2 * n_1 * beta**2 + (1 - e) * n_0**2 * beta + (1 + e) * n_0 + n_1
     constant = RISE * (beta + delta) * (1 - (n_1 + e * n_0) * beta - n_0**2 * beta**2)
     implicit = constant - linear * alpha - n_0**2 * alpha**2
-    page.step("The condition is implicit", minor, implicit, name=r"\Delta_3", boxed=True)
+    page.step(
+        r"The implicit condition is a quadratic in $\alpha$",
+        minor,
+        implicit,
+        name=r"\Delta_3",
+        boxed=True,
+    )
     root = (sqrt(linear**2 + 4 * n_0**2 * constant) - linear) / (2 * n_0**2)
     page.same("a root", implicit.subs(alpha, root), S.Zero)
     page.say(
-        "So one period of delay has an explicit solution too, by a square root. It is shortest for "
-        "a free mass, where $p_1(-1)=4$ and four inequalities are left:"
+        "So with one period of delay a square root gives an explicit solution. The solution is "
+        "shortest for a free mass: $p_1(-1)=4$, and four inequalities are left:"
     )
     free_mass(page)
     two_roads(page)
@@ -56,8 +62,8 @@ def free_mass(page):
         boxed=True,
     )
     page.say(
-        "So $\\alpha$ lies between 0 and the larger root of a quadratic. Its roots have different "
-        "signs if $4-4\\beta-\\beta^2>0$, that is for $0<\\beta<2\\sqrt2-2$:"
+        r"So $\alpha$ lies between 0 and the larger root of a quadratic. The roots of this "
+        r"quadratic have different signs if $4-4\beta-\beta^2>0$, that is for $0<\beta<2\sqrt2-2$:"
     )
     middle = beta**2 + 12
     width = sqrt(middle**2 + 16 * beta * (4 - 4 * beta - beta**2))
@@ -65,7 +71,7 @@ def free_mass(page):
     page.lemma(
         "The minor of a free mass vanishes at this stiffness with one period of delay",
         combined(Eq(minor, 0), [assume(Eq(alpha, explicit)), 2 * (other - alpha)]),
-        because="the stable walls lie below",
+        because="the stable walls have less than this stiffness",
         boxed=True,
     )
 
@@ -113,9 +119,10 @@ def half_plane(push, brake, last):
 def two_roads(page):
     device = Sampled(n_1, n_0, a, e)
     page.say(
-        r"The degree in $\alpha$ rises by one with every period, so that the inequality cannot be "
-        "solved for longer delays. But the boundary stays explicit. We insert the wall with a "
-        r"root at $e^{j\theta}$ into the last minor, for any device and $d=0,1,2$:"
+        r"The degree in $\alpha$ rises by one with every period, so that a formula for the "
+        "solution does not exist in general for longer delays. But the boundary with the angle as "
+        r"parameter stays explicit. We insert the wall with a root at $e^{j\theta}$ into the last "
+        "minor, for any device and $d=0,1,2$:"
     )
     stiffness, damping = boundary.wall(device)
     for delay in range(3):
@@ -126,12 +133,13 @@ def two_roads(page):
             minor.subs(wall, simultaneous=True),
             S.Zero,
             name=rf"\Delta_{delay + 2}\bigl(\alpha(\theta),\beta(\theta)\bigr)",
-            because="$\\alpha+\\beta(1-1/z)=-z^dA/N$ on the circle",
+            because=r"the wall satisfies $\alpha+\beta(1-1/z)=-z^dA/N$ on the circle",
         )
     page.figure(
         "jury",
-        "Free mass, with two periods of delay: where each inequality turns false (lines), where "
-        "all hold (green), and points of the explicit boundary (dots). The thick line is the "
-        r"last minor; only it and $\alpha=0$ bound the region.",
+        "Jury's inequalities for a free mass with two periods of delay. Each line is the border of "
+        "one inequality, all inequalities hold in the green region, and the dots are points of the "
+        "explicit boundary. The thick line is the border of the last minor; only this line and "
+        r"$\alpha=0$ bound the region.",
         free_mass_inequalities,
     )

@@ -16,7 +16,8 @@ def derive(page):
     page.lemma(
         "At $z=1$ the polynomial is a multiple of $\\alpha+\\gamma$",
         combined(at_one, [device_static(assume(DEVICE)), 1]),
-        because="a monic real polynomial with all roots inside the unit circle is positive there",
+        because="a monic real polynomial with all roots inside the unit circle is positive at "
+        "$z=1$",
     )
     page.define("The poles of the arm differ by $c$", gamma, (delta**2 - c**2) / 4)
     page.step(
@@ -24,7 +25,7 @@ def derive(page):
         total * gamma,
         (1 - exp(-(delta - c) / 2)) * (1 - exp(-(delta + c) / 2)),
         name=r"\gamma(n_1+n_0)\big|_{c\ge0}",
-        because="both factors are positive for $0\\le c<\\delta$, that is $\\gamma>0$",
+        because=r"both factors are positive for $0\le c<\delta$, that is for $\gamma>0$",
     )
     swinging = (total * gamma).subs(gamma, (delta**2 - c**2) / 4).subs(c, 2 * I * phi)
     page.step(
@@ -32,54 +33,58 @@ def derive(page):
         swinging,
         (1 - exp(-delta / 2)) ** 2 + 4 * exp(-delta / 2) * sin(phi / 2) ** 2,
         name=r"\gamma(n_1+n_0)\big|_{c=2j\varphi}",
-        because=r"with $c=2j\varphi$, where $\varphi=\omega_dT$ is the angle of the damped natural "
-        r"frequency $\omega_d$. It is zero only for $\delta=0$ and $\varphi=2\pi,4\pi,\ldots$, "
-        r"where "
-        "$p_1(1)=0$ for every wall and none is stable",
+        because=r"$c=2j\varphi$, and $\varphi=\omega_dT$ is the angle of the damped natural "
+        r"frequency $\omega_d$. The sum is zero only for $\delta=0$ and "
+        r"$\varphi=2\pi,4\pi,\ldots$; in this case $p_1(1)=0$ for every wall, and no wall is "
+        "stable",
     )
     page.step(
         "Without a spring $n_1+n_0>0$",
         alone.n1 + alone.n0,
         (1 - exp(-delta)) / delta,
         name=r"(n_1+n_0)\big|_{\gamma=0}",
-        because=r"it is positive as well, and tends to 1 for $\delta\to0$",
+        because=r"the sum is positive, and tends to 1 for $\delta\to0$",
     )
     page.say(
         r"So $\alpha>-\gamma$ is necessary for every delay and every damping. Does the region end "
-        r"there? Without delay, take the wall $\alpha=-\gamma$, $\beta=0$:"
+        r"at $\alpha=-\gamma$? Without delay, take the wall $\alpha=-\gamma$, $\beta=0$:"
     )
     kept = plant.normalised(FULL).transition(t, c)[1, 1].subs(t, 1)
     at_line = loop.characteristic(FULL, split=c).subs({d: 0, alpha: -gamma, beta: 0})
-    page.define("The speed after a period without a force, from a unit speed", r, kept)
+    page.define("After a period without a force a unit speed becomes $v$", r, kept)
     page.step(
-        "For $d=0$ the roots are 0, 1 and a speed", at_line, z * (z - 1) * (z - r), name="p_1(z)"
+        "For $d=0$ the roots are 0, 1 and this speed $v$",
+        at_line,
+        z * (z - 1) * (z - r),
+        name="p_1(z)",
     )
     page.step(
-        "The energy of this motion decreases",
+        "The energy of the motion without a force decreases",
         2 * v * (-delta * v - gamma * x) + 2 * gamma * x * v,
         -2 * delta * v**2,
         name=r"\tfrac{d}{dt}(v^2+\gamma x^2)",
-        because=r"by Newton's law, so the speed after the period is less than 1, except "
-        r"for $\delta=0$ and $\varphi=\pi,2\pi,\ldots$",
+        because="this is Newton's law, so the speed after the period is less than 1, except for "
+        r"$\delta=0$ and $\varphi=\pi,2\pi,\ldots$",
     )
     page.step(
-        "At the root 1 the slope is positive",
+        "At the root 1 the derivative of the polynomial is positive",
         diff(at_line, z).subs(z, 1),
         1 - r,
         name=r"p_1'(1)",
-        because=r"the slope and $\partial p_1/\partial\alpha=n_1+n_0$ are positive, so that the "
-        r"root moves inside as $\alpha$ grows",
+        because=r"this derivative and $\partial p_1/\partial\alpha=n_1+n_0$ are positive, so that "
+        r"the root moves inside as $\alpha$ grows",
     )
     free = loop.characteristic(Parts(False, False)).subs({d: 0, alpha: 0})
     page.step(
-        "For a free mass, $d=0$, the polynomial has the root 1",
+        "For a free mass without delay the polynomial has the root 1",
         free,
         (z - 1) * (z**2 + (beta / 2 - 1) * z + beta / 2),
         name="p_1(z)",
-        because="on the line $\\alpha=0$; the quadratic has both roots inside for $0<\\beta<2$",
+        because=r"the wall is on the line $\alpha=0$; the quadratic factor has both roots inside "
+        r"for $0<\beta<2$",
     )
     page.say(
-        r"So without delay the region touches the line, and the left bound is $\alpha=-\gamma$, "
-        r"except for $\delta=0$ with $\omega_dT$ a multiple of $\pi$. For a delay see "
-        r"\chapter{s4d_left_bound_delayed}."
+        r"So without delay the region reaches the line, and its left bound is $\alpha=-\gamma$. "
+        r"The only exception is an undamped device with $\omega_dT$ a multiple of $\pi$. For loops "
+        r"with a delay see \chapter{s4d_left_bound_delayed}."
     )

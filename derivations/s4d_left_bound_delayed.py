@@ -1,7 +1,7 @@
 r"""Does the stable region still reach the line $\alpha=-\gamma$ with a delay?
 
-Without delay the region reaches this line for the arms of (23). With one period of delay it still
-does for a spring as soft as that of an arm, but not for a stiff one.
+Without delay the region reaches this line for the arms of (23). With one period of delay the region
+still reaches the line for a spring as soft as that of an arm, but not for some stiff springs.
 """
 
 from symhaptic.book.lemmas import figure9
@@ -20,8 +20,8 @@ from symhaptic.paper.propositions.stability import OTHER, PIECE, damped_region_e
 def derive(page):
     soft_spring(page)
     page.say(
-        r"Now take a spring far stiffer than an arm, without damping: $\sqrt\gamma=2\pi/3$, so "
-        r"that $\cos\sqrt\gamma=-\tfrac12$. With $x=n_1\beta$, on the line:"
+        r"Take a spring that is far stiffer than an arm, without damping: $\sqrt\gamma=2\pi/3$, so "
+        r"that $\cos\sqrt\gamma=-\tfrac12$. On the line one root is 1; let $x=n_1\beta$:"
     )
     swinging = plant.sampled(plant.normalised(Parts(damping=False)))
     spring = {gamma: 4 * pi**2 / 9}
@@ -45,24 +45,24 @@ def derive(page):
             name=name,
         )
     page.step(
-        "Three roots inside need a positive product",
+        "A product is positive if all three roots lie inside",
         1 - names[1] + names[0] * names[2] - names[0] ** 2,
         (1 - one * two) * (1 - one * three) * (1 - two * three),
         because="the product is positive if all $|r_i|<1$, as non-real roots come in conjugate "
         "pairs",
     )
     page.step(
-        "At this wall the product is negative",
+        "On the line this product is negative",
         1 - (x + Rational(3, 2)) + 2 * x - x**2,
         -((x - Rational(1, 2)) ** 2) - Rational(1, 4),
-        because="it is negative for every $x$, so that the line is no border of the region for "
-        "any damping",
+        because="the product is negative for every $x$, so that the line is not a border of the "
+        "region for any damping",
     )
     damping = (-1 / (10 * swinging.n1)).subs(spring)
     page.lemma(
         "With that spring and one period of delay a wall away from the line is stable",
         stable_at({alpha: S.Zero, beta: damping, delta: S.Zero, d: S.One, **spring}),
-        because="for $\\alpha=0$, $n_1\\beta=-\\tfrac1{10}$",
+        because=r"the wall is $\alpha=0$, $n_1\beta=-\tfrac1{10}$",
     )
     _settled(page)
 
@@ -70,21 +70,25 @@ def derive(page):
 def _settled(page):
     """What of all this is a theorem: the arms of (23), and damped arms with any spring."""
     page.say(
-        r"For the arms of (23) the exact curve of \chapter{s4d_figure7_undelayed} shows that the "
-        "region ends on the line without delay. With a delay every stable wall lies to the right "
-        "of it."
+        "For the arms of (23) and without delay, the exact curve of "
+        r"\chapter{s4d_figure7_undelayed} shows that the region ends on the line. With a delay "
+        "every stable wall lies to the right of the line."
     )
     claim = CLAIMED["s4d-left-bound"]([Eq(alpha, -gamma)])
-    arms = page.lemma("The left bound of the arms of (23)", bound_of_arms())
+    arms = page.lemma(
+        "For the arms of (23) the left bound of the stable region is "
+        r"$\alpha=-\gamma$",
+        bound_of_arms(),
+    )
     page.settle(
         "s4d-left-bound",
         Eq(alpha, -gamma),
         as_claimed(claim, arms),
         example={alpha: S.Zero, gamma: S.Zero, delta: S.Zero},
-        note=r"for $d\ge1$ inside (23) only $\alpha>-\gamma$ is shown, and for $d=1$ and $d=2$ at "
-        r"the limits of (23) that the line is reached to within the thickness of a line (fig9); a "
-        r"stiff spring beyond (23) can keep the region away from it, such as "
-        r"$\sqrt\gamma=\tfrac23\pi$ at $d=1$, $\delta=0$",
+        note=r"for $d\ge1$ inside (23) we show only $\alpha>-\gamma$. At the limits of (23), for "
+        "$d=1$ and $d=2$, stable walls lie next to the line, within the thickness of a printed "
+        "line (fig9). With a stiff spring beyond (23) the region may not reach the line, as for "
+        r"$\sqrt\gamma=\tfrac23\pi$, $d=1$ and $\delta=0$",
     )
     page.say(
         r"For a damped device without delay, or with one period of delay and $\gamma<2\delta$, "
@@ -113,14 +117,15 @@ def soft_spring(page):
     page.lemma(
         "For one period of delay and $\\beta=0$ the polynomial on the line has the roots 0 and 1",
         combined(roots, [static, z**2]),
-        because="the quadratic has both roots inside if $\\gamma n_0<1$, $2-a+\\gamma n_0>0$ and "
-        "$a+\\gamma n_0>0$",
+        because=r"both roots of the quadratic factor lie inside if $\gamma n_0<1$, $2-a+\gamma "
+        r"n_0>0$ and $a+\gamma n_0>0$",
     )
     page.say(
-        "A force that is held for a period moves the mass by at most half a unit, so that "
-        r"$n_1\le\frac12$, and $n_0\le n_1$. For $\gamma\le1$ therefore $\gamma n_0<1$, $a+\gamma "
-        r"n_0=1+e-\gamma n_1>0$ and $2-a+\gamma n_0=1-e+\gamma(n_1+2n_0)>0$, unless "
-        r"$\gamma=\delta=0$. There take $\beta=\tfrac12$ instead:"
+        "A unit force that is held for a period moves the mass by at most half a unit, so that "
+        r"$n_0\le n_1\le\frac12$. For $\gamma\le1$ this gives the three inequalities: $\gamma "
+        r"n_0<1$, $a+\gamma n_0=1+e-\gamma n_1>0$ and $2-a+\gamma n_0=1-e+\gamma(n_1+2n_0)>0$. The "
+        r"last one fails for $\gamma=\delta=0$ only. For this free mass take $\beta=\tfrac12$ "
+        "instead:"
     )
     free = loop.characteristic(Parts(False, False)).subs({d: 1, alpha: 0, beta: S.Half})
     cubic = z**3 - z**2 + z / 4 + Rational(1, 4)

@@ -1,7 +1,8 @@
 r"""How large is the stable stiffness of a damped mass without delay?
 
-Without spring and delay, $\gamma=0$ and $d=0$, the loop is a cubic and its stability explicit. We
-derive the largest stiffness in closed form, and a bound of the damping.
+Without spring and delay, $\gamma=0$ and $d=0$, the characteristic polynomial is a cubic, and its
+stability conditions are explicit. We derive the largest stiffness in closed form, and a bound of
+the damping.
 """
 
 from symhaptic.book.lemmas.damped_mass import signs
@@ -24,8 +25,8 @@ def derive(page):
         (1 - s) ** 3 * polynomial.subs(z, (1 + s) / (1 - s)),
         B_3 * s**3 + B_2 * s**2 + B_1 * s + B_0,
         name=r"(1-s)^3p_1\bigl(\tfrac{1+s}{1-s}\bigr)",
-        because="all roots are inside if and only if $b_0,b_1,b_2,b_3>0$, the coefficients of "
-        "$1,s,s^2,s^3$, and $b_1b_2>b_0b_3$, by Routh's criterion",
+        because="by Routh's criterion all roots are inside if and only if the coefficients "
+        "$b_0,b_1,b_2,b_3$ of $1,s,s^2,s^3$ are positive and $b_1b_2>b_0b_3$",
     )
     page.lemma(
         "A damped mass has $0<n_0\\le n_1$",
@@ -40,7 +41,7 @@ def stiffness(page):
     """The largest stable alpha."""
     root = sqrt(N_0 * (N_0 + E * N_1))
     largest = (TOTAL - w) ** 2 / (N_0 * N_1**2)
-    page.define("A square root of the device's coefficients", w, root)
+    page.define("The number $w$ is a square root of the device's coefficients", w, root)
     page.step(
         "The minor is a positive multiple of the margin minus a square",
         (B_1 * B_2 - B_0 * B_3) / 8,
@@ -50,12 +51,13 @@ def stiffness(page):
         because="a stable wall has $1+n_1\\beta>0$",
     )
     page.lemma(
-        r"Without a spring, $\delta\le0.1$, no stable wall has this stiffness or more",
+        r"Without a spring and with $\delta\le0.1$ no stable wall reaches this stiffness",
         of_masses(none_stiffer()),
-        because="for both roots $w$; the positive one gives the stricter bound",
+        because="the bound holds for both roots $w$; the positive root gives the stricter bound",
     )
     page.lemma(
-        r"Without a spring, $\delta\le0.1$, every smaller stiffness is stable with one damping",
+        r"Without a spring and with $\delta\le0.1$ every smaller stiffness is stable with one "
+        "damping",
         of_masses(all_softer()),
     )
     page.step(
@@ -64,7 +66,7 @@ def stiffness(page):
         largest,
         name=r"\alpha_{\max}",
         boxed=True,
-        because=r"the bound is approached, but not attained, at $n_0(1+n_1\beta)=w$",
+        because=r"stable walls approach this bound at $n_0(1+n_1\beta)=w$ and do not attain it",
     )
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     page.step(
@@ -92,7 +94,7 @@ def damping(page, polynomial):
         S.Zero,
         Rational(4, 3),
         name=r"\tfrac1\delta\bigl(\tfrac1{n_0}-2\bigr)",
-        because="so in units $B<2m/T+\\frac43b+\\ldots$",
+        because=r"so in SI units $B<2m/T+\frac43b+\ldots$",
     )
 
 

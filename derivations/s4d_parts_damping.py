@@ -1,7 +1,7 @@
 """Does more damping enlarge the stable region?
 
-One expects that a stronger damper never destabilises a wall. This is true for arms inside the
-ranges (23) without delay; for stiffer springs it is false.
+One expects that a stronger damper never destabilises a wall. This is true without delay for arms
+inside the ranges (23). For stiffer springs it is false.
 """
 
 from symhaptic.book.lemmas.more_damped import (
@@ -23,19 +23,20 @@ def derive(page):
         "with the damping:"
     )
     page.lemma(
-        "The minor of a wall is larger for the larger damper",
+        "Of two dampers the larger one gives the larger minor of a wall",
         minor_rises(),
-        because="the devices' numbers are $n_1$ to $e$ and $n_1''$ to $e''$; the slope is "
-        "positive, in balls from the exponential of the plant's matrix and its derivative",
+        because="the coefficients of the two devices are $n_1,n_0,a,e$ and $n_1'',n_0'',a'',e''$; "
+        "balls from the exponential of the plant's matrix and from its derivative show that the "
+        "slope is positive",
     )
     page.lemma(
         "Inside (23) and without delay a stable wall stays stable with more damping",
         more_damped_is_stable(),
     )
     page.say(
-        "On any path from a stable wall the minor is positive as long as the walls are stable. "
-        "So it is not negative at the end of the path, and with the larger damper it is "
-        r"positive. This argument fails only at $\alpha=-\gamma$."
+        "On any path from a stable wall the minor is positive as long as the walls are stable. So "
+        "the minor is not negative at the end of the path, and with the larger damper it is "
+        r"positive. This argument fails only for walls with $\alpha=-\gamma$."
     )
     page.lemma(
         r"Inside (23) and without delay a wall with $\alpha>-\gamma$ on the border of the stable "
@@ -50,11 +51,13 @@ def derive(page):
         "s4d-delta-grows",
         grown(then),
         example=point,
-        note="nothing is shown for a delay; with a stiff spring it is false (damping-destabilises)",
+        note="this is proved without delay only; with a stiff spring the statement is false "
+        "(damping-destabilises)",
     )
     page.say(
-        "For stiffer springs it is false: $\\gamma=5$, $\\alpha=-4$, $\\beta=5.9$ and no delay. "
-        "With $\\delta=1.2$ this wall is stable, and with $1.5$ a root lies outside."
+        r"For stiffer springs the statement is false. Take $\gamma=5$, $\alpha=-4$, $\beta=5.9$ "
+        r"and no delay. With $\delta=1.2$ this wall is stable, and with $\delta=1.5$ a root lies "
+        "outside."
     )
     page.state(
         "damping-destabilises",
@@ -65,5 +68,6 @@ def derive(page):
     page.settle(
         "damping-destabilises",
         lost_by_a_damper(),
-        note="$\\alpha=-4$, $\\beta=5.9$, $\\delta=1.2$ and $1.5$",
+        note=r"the wall $\alpha=-4$, $\beta=5.9$ is stable for $\delta=1.2$ and unstable for "
+        r"$\delta=1.5$",
     )

@@ -12,16 +12,16 @@ from symhaptic.paper.propositions.stability import LATER
 
 def derive(page):
     page.say(
-        "The explicit boundary $\\alpha(\\theta)$, $\\beta(\\theta)$ starts, for $\\theta\\to0$, "
-        "on the line $\\alpha=-\\gamma$. With $1-a+e=\\gamma(n_1+n_0)$:"
+        r"For $\theta\to0$ the explicit boundary $\alpha(\theta)$, $\beta(\theta)$ starts on the "
+        r"line $\alpha=-\gamma$. We use $1-a+e=\gamma(n_1+n_0)$:"
     )
-    page.define("The damping at which the boundary begins", r"\beta_0", CORNER)
+    page.define(r"The boundary begins at the damping $\beta_0$", r"\beta_0", CORNER)
     here, later = begins_there(), begins_there(d + 1, gamma)
     page.lemma("The boundary begins at $(-\\gamma,\\beta_0)$ with a delay of $d$ periods", here)
     page.lemma(
-        "With one more period of delay it begins at $(-\\gamma,\\beta_0-\\gamma)$",
+        r"With one more period of delay the boundary begins at $(-\gamma,\beta_0-\gamma)$",
         later,
-        because=r"the corner moves down by $\gamma$, for every damped device",
+        because=r"the start of the boundary moves down by $\gamma$ for every damped device",
         boxed=True,
     )
     wall = {
@@ -69,6 +69,7 @@ def derive(page):
         misprint=False,
         unless=[({**wall, LATER: S.One}, *(stable_at({**wall, d: S.One}), unstable_at(wall)))],
         shows="a wall inside (23) that is stable at $d=1$ and unstable at $d=0$",
-        note="as sets of walls; it is also false for walls with $K>0$. By area it is true for the "
-        "arm of Figs. 11 and 12 up to $d=8$ (s4d-delay-shrinks-area)",
+        note="the statement is false for the regions as sets of walls, also if only walls with "
+        "$K>0$ count. For their areas it is true for the arm of Figs. 11 and 12 up to $d=8$ "
+        "(s4d-delay-shrinks-area)",
     )

@@ -1,11 +1,11 @@
 r"""Do the mass, the spring and the damper of an arm all stabilise the wall?
 
-The paper concludes that each of them is stabilising. A single wall that is stable without the part
-and unstable with it disproves this for all walls. Areas are compared in
-\chapter{s4d_areas_of_the_arm}. Below each wall stands its polynomial,
+The paper concludes that each of them is stabilising. A single wall that is stable without one of
+these parts and unstable with it is a counterexample. The areas of the regions are compared in
+\chapter{s4d_areas_of_the_arm}. For each wall we show its polynomial,
 $z^{d+1}(z^2-az+e)+(n_1z+n_0)((\alpha+\beta)z-\beta)$ with the numbers of the device, and the zero
-that certified balls isolate. Without delay a calculation by hand is enough: for
-$z^3+a_2z^2+a_1z+a_0$ Jury's inequality $1-a_0^2>|a_1-a_0a_2|$ decides.
+that certified balls isolate. Without delay a calculation by hand is sufficient: Jury's inequality
+$1-a_0^2>|a_1-a_0a_2|$ decides the stability of $z^3+a_2z^2+a_1z+a_0$.
 """
 
 from symhaptic.book.lemmas.passive_is_stable import EVERY_MARGIN, LOOP, MARGIN, passive_is_stable
@@ -32,9 +32,8 @@ def derive(page):
         stable_at(wall),
     )
     page.say(
-        "The stiffest spring that (23) gives to an arm, $\\gamma=0.001$, makes it unstable. The "
-        "right end of the region moves to the left by about half of $\\gamma$, while the left "
-        "bound moves by $\\gamma$."
+        r"The stiffest spring of (23), $\gamma=0.001$, makes this wall unstable. It moves the "
+        r"right end of the region to the left by about $\gamma/2$, and the left bound by $\gamma$."
     )
     sprung = {**wall, gamma: Rational(1, 1000)}
     witness = page.lemma(
@@ -58,9 +57,9 @@ def derive(page):
     )
     falls = page.lemma("With twice the mass the same wall is not stable", unstable_at(heavy))
     page.say(
-        "With more mass a wall comes closer to the line of the linear condition (25), which lies "
-        "inside the exact region at this place. For the damper see "
-        "\\chapter{s4d_parts_damping}."
+        "With more mass a wall comes closer to the line of the linear condition (25). Near this "
+        "wall the line lies inside the exact region. For the damper see "
+        r"\chapter{s4d_parts_damping}."
     )
     passive = [EVERY_MARGIN, gamma >= 0, delta > 0, alpha > 0, whole(d)]
     stiff = positive(alpha + gamma > 0, alpha > 0, gamma >= 0)
@@ -77,9 +76,9 @@ def derive(page):
             (_arms(light, 2, S.Zero), steady, falls),
         ],
         shows="a wall that is stable with a free mass and unstable with a spring inside (23)",
-        note="as sets of walls: doubling the mass destabilises a wall at $d=1$; more damping can "
-        "do so outside (23). Without delay none of the three reduces the area "
-        "(s4d-all-stabilising-area)",
+        note="the correction is about single walls. Twice the mass destabilises a wall at $d=1$, "
+        "and more damping can destabilise a wall outside (23). Without delay none of the three "
+        "reduces the area (s4d-all-stabilising-area)",
     )
 
 

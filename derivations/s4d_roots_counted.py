@@ -1,9 +1,10 @@
 """How can unstable roots be counted at a cost that does not grow with the delay?
 
 The zeros of the characteristic polynomial, or the inequalities of Jury, cost more with every period
-of delay. By the argument principle it is sufficient to know the change of its argument on half the
-unit circle. The polynomial is a sum of two terms, one of the plant and one of the wall; where one
-of them is larger, it determines the argument of the sum.
+of delay. By the argument principle the number of roots follows from the change of the polynomial's
+argument on half the unit circle. The polynomial is a sum of two terms, one of the plant and one of
+the wall. At each angle the larger term determines the argument of the sum, up to less than a
+quarter turn.
 """
 
 from symhaptic.book.figures.arguments import half_circle
@@ -23,7 +24,7 @@ def derive(page):
         ("N", top, (n_1 + n_0) ** 2 - n_1 * n_0 * y),
         ("W", wall, alpha**2 + (alpha + beta) * beta * y),
     ]
-    page.define("The chord from $z$ to 1 has this square", y, 2 - z - 1 / z)
+    page.define("The number $y$ is the square of the chord from $z$ to 1", y, 2 - z - 1 / z)
     for name, factor, form in sizes:
         page.step(
             f"On the circle $|{name}|^2$ is a polynomial in $y$",
@@ -32,12 +33,12 @@ def derive(page):
             name=f"|{name}(z)|^2",
         )
     page.say(
-        "So $|f|^2-|g|^2$ is a polynomial of degree two in $y$ that does not contain the delay: "
-        r"there are at most two angles $\theta_i$ in $(0,\pi)$ at which both terms have the same "
-        r"size, the same ones for every delay. At $z=1$ the wall dominates if $|\alpha|>\gamma$, "
-        r"as $1-a+e=\gamma(n_1+n_0)$."
+        "So $|f|^2-|g|^2$ is a polynomial of degree two in $y$ that does not contain the delay. At "
+        r"most two angles $\theta_i$ in $(0,\pi)$ give both terms the same size, and these angles "
+        r"are the same for every delay. At $z=1$ the wall dominates if $|\alpha|>\gamma$, as "
+        r"$1-a+e=\gamma(n_1+n_0)$."
     )
-    page.say("For the phases, each factor times a power of $z$ stays in one half plane:")
+    page.say("We also need the phases. Each factor times a power of $z$ stays in one half plane:")
     for name, factor, height in (
         ("A/z", bottom / z, (1 - e) * sin(theta)),
         ("N", top, n_1 * sin(theta)),
@@ -45,63 +46,66 @@ def derive(page):
     ):
         turned = on_circle(factor)
         page.step(
-            f"Imaginary part of ${name}$",
+            rf"The imaginary part of ${name}$ is a multiple of $\sin\theta$",
             (turned - turned.xreplace({I: -I})) / (2 * I),
             height,
             name=rf"\Im {name}",
-            because=r"of one sign for $0<\theta<\pi$, so that the phase is a continuous arctangent",
+            because=r"the imaginary part has one sign for $0<\theta<\pi$, so that the phase is a "
+            "continuous arctangent",
         )
     page.say(
         r"With these angles, $\Phi(\theta)=\arg N+\arg W-\arg(A/z)-(d+2)\theta$ is the phase of "
-        r"$g/f$, continuous from 0 to $\pi$. Where $f$ dominates, $p_1=f\,(1+g/f)$ and the "
-        r"bracket stays in the right half plane; where $g$ dominates, $p_1=g\,(1+f/g)$. At an "
-        "angle where they have the same size, the phase of the bracket is half that of $g/f$,"
+        r"$g/f$, continuous from 0 to $\pi$. Where $f$ dominates, $p_1=f\,(1+g/f)$ and the bracket "
+        r"stays in the right half plane; where $g$ dominates, $p_1=g\,(1+f/g)$. At an angle where "
+        "both have the same size, the phase of the bracket is half that of $g/f$:"
     )
     page.step(
         "The sum of two terms of equal size has the mean phase",
         1 + exp(I * phi),
         2 * cos(phi / 2) * exp(I * phi / 2),
-        because=r"for $\varphi=\Phi-2\pi k$ between $-\pi$ and $\pi$, that is for the integer "
-        r"$k=[\Phi/2\pi]$ next to $\Phi/2\pi$",
+        because=r"this holds for $\varphi=\Phi-2\pi k$ between $-\pi$ and $\pi$; the integer "
+        r"$k=[\Phi/2\pi]$ is the one nearest to $\Phi/2\pi$",
     )
     page.say(
-        "so that, passing from $f$ to $g$, the change of argument of $p_1$ differs from that of "
-        r"$f$ alone by $-\Phi+\varphi=-2\pi k$, and passing back by $+2\pi k$. On the half circle "
-        r"the argument of $f$ grows by $(d+3)\pi$, since the poles of a damped plant with a "
-        r"spring lie inside, and that of $p_1$ by $\pi$ times the number of roots inside. The "
-        "number of roots outside is therefore twice the sum of $k$ over the angles where $g$ "
-        "begins to dominate, minus twice the sum of $k$ over those where it ceases to, with "
-        r"$2k=\arg g(1)/\pi$ if $g$ dominates from $\theta=0$ on, and $2k=\arg g(-1)/\pi-(d+3)$ "
-        r"if it dominates up to $\theta=\pi$. This takes a square root and a few arctangents, for "
-        "$d=0$ as for $d=10^6$. A plant without damper or spring has the count of one with small "
-        r"$\delta$ or $\gamma$."
+        "Where $g$ begins to dominate, the change of argument of $p_1$ differs from that of $f$ "
+        r"alone by $-\Phi+\varphi=-2\pi k$. Where $g$ ceases to dominate, it differs by $+2\pi k$. "
+        r"On the half circle the argument of $f$ grows by $(d+3)\pi$, since the poles of a damped "
+        r"plant with a spring lie inside, and that of $p_1$ by $\pi$ times the number of roots "
+        "inside. The number of roots outside is therefore a difference of two sums. The first is "
+        "twice the sum of $k$ over the angles where $g$ begins to dominate; the second is twice "
+        "the sum of $k$ over the angles where $g$ ceases to dominate. If $g$ dominates from "
+        r"$\theta=0$ on, this angle counts with $2k=\arg g(1)/\pi$. If $g$ dominates up to "
+        r"$\theta=\pi$, this angle counts with $2k=\arg g(-1)/\pi-(d+3)$. The count takes a square "
+        "root and a few arctangents, for $d=0$ and for $d=10^6$. A plant without damper or spring "
+        r"has the same count as a plant with a small $\delta$ or $\gamma$."
     )
     page.figure(
         "half_circle",
-        r"A wall with $\alpha=0.55$, $\beta=0.5$ with one period of delay ($\gamma=0.05$, "
-        r"$\delta=0.4$). The wall dominates up to $\theta_1$, the plant beyond. Up to $\theta_1$ "
-        r"the sum follows the argument of the wall, and then that of the plant except for $2\pi$: "
-        "$k=-1$ where the wall ceases to dominate, so that two of four roots lie outside.",
+        r"Arguments for the wall $\alpha=0.55$, $\beta=0.5$ with one period of delay "
+        r"($\gamma=0.05$, $\delta=0.4$). The wall dominates up to $\theta_1$, and the plant beyond "
+        r"$\theta_1$. Up to $\theta_1$ the sum follows the argument of the wall, and then that of "
+        r"the plant minus $2\pi$. So $k=-1$ at the angle where the wall ceases to dominate, and "
+        "two of four roots lie outside.",
         half_circle,
         panels=(1, 2),
         height=0.6,
     )
     page.say(
-        "The same angles give the delays at which a root is on the circle: where $\\Phi$ is an odd "
-        "multiple of $\\pi$. With $\\Phi_0=\\arg N+\\arg W-\\arg(A/z)$, for $z^d$ on the principal "
-        "sheet,"
+        r"The same angles give the delays at which a root is on the circle: $\Phi$ is then an odd "
+        r"multiple of $\pi$. Let $\Phi_0=\arg N+\arg W-\arg(A/z)$ and $z^d=e^{jd\theta}$ (the "
+        "principal sheet):"
     )
     k, turned = symbols("k"), symbols("Phi_0")
     page.step(
         "The critical delays are an arithmetic sequence",
         turned - (d + 2) * theta + (2 * k + 1) * pi,
         (((turned + (2 * k + 1) * pi) / theta - 2) - d) * theta,
-        because=r"a root is on the circle for $d=(\Phi_0+(2k+1)\pi)/\theta-2$ at "
-        r"$\theta=\theta_1,\theta_2$",
+        because=r"a root is on the circle for $d=(\Phi_0+(2k+1)\pi)/\theta-2$ with "
+        r"$\theta=\theta_1$ or $\theta=\theta_2$",
     )
     page.say(
-        "For integer delays the first integer above a critical delay is the first that is "
-        "unstable, unless the loop becomes stable again before."
+        "For integer delays, the loop is first unstable at the first integer above a critical "
+        "delay, unless it becomes stable again before this integer."
     )
     m_2, m_1, m_0 = symbols("m_2 m_1 m_0")
     late, whole = m_2 * z**2 + m_1 * z + m_0, m_2 + m_1 + m_0
@@ -111,8 +115,8 @@ def derive(page):
         late * late.subs(z, 1 / z),
         form,
         name="|M(z)|^2",
-        because="with $M=m_2z^2+m_1z+m_0$; the surplus then has degree three, and the rest is the "
-        "same",
+        because="the numerator is $M=m_2z^2+m_1z+m_0$; the surplus then has degree three, and the "
+        "rest of the argument is the same",
     )
     _equally_large(page)
 

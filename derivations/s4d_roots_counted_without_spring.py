@@ -10,9 +10,9 @@ from symhaptic.book.lemmas.prelude import *
 def derive(page):
     page.say(
         "Without a spring the plant has a pole at 1, so that $a=1+e$, and $A=(z-1)(z-e)$ vanishes "
-        "there. With the sizes of \\chapter{s4d_roots_counted}:"
+        r"there. We compare the sizes of plant and wall as in \chapter{s4d_roots_counted}:"
     )
-    page.define("The chord from $z$ to 1 has this square", y, 2 - z - 1 / z)
+    page.define("The number $y$ is the square of the chord from $z$ to 1", y, 2 - z - 1 / z)
     bottom, top = z**2 - a * z + e, (n_1 * z + n_0) * ((alpha + beta) * z - beta)
     sizes = [(x * x.subs(z, 1 / z)).subs(a, 1 + e) for x in (bottom, top)]
     page.step(
@@ -39,8 +39,8 @@ def derive(page):
     found = page.lemma(
         "A wall that is as large as the plant at $z=-1$ is larger at all other angles",
         stronger_everywhere(),
-        because="$F(y)=(1-\\tfrac y4)F(0)+\\tfrac y4F(4)-\\tfrac12F''y(4-y)$, and where $F''<0$ "
-        "the step before bounds it",
+        because=r"$F(y)=(1-\tfrac y4)F(0)+\tfrac y4F(4)-\tfrac12F''y(4-y)$, and if $F''<0$, the "
+        "previous step bounds $F''$",
         boxed=True,
     )
     page.state(
@@ -53,14 +53,14 @@ def derive(page):
     page.settle("free-wall-stronger", found, example=point)
     page.say(
         "For such a wall $p_1$ has the argument of $g=NW$ on the whole half circle, so that at "
-        "most two of its $d+3$ roots lie inside: the loop is not stable. Any other wall has "
-        r"$F(0)<0<F(4)$, if $\alpha\ne0$, and one angle $\theta_1$ at which both have the same "
-        r"size. A stable loop has $p_1(1)=\alpha(n_1+n_0)>0$; then the wall at $z=1$ contributes "
-        "nothing, and the number of roots outside is twice the integer next to "
-        r"$-\Phi(\theta_1)/2\pi$. As this is not negative, the loop is stable if and only if "
-        r"$\alpha>0$, $2(1+e)>|(n_1-n_0)(\alpha+2\beta)|$ and $\Phi(\theta_1)>-\pi$. The argument "
-        r"of $A/z$ is $\pi$ minus an angle that is small for small $\theta_1$, so that the last "
-        "condition compares small angles if the wall has little stiffness:"
+        "most two of its $d+3$ roots lie inside: the loop is not stable. Any other wall with "
+        r"$\alpha\ne0$ has $F(0)<0<F(4)$, and one angle $\theta_1$ at which plant and wall have "
+        r"the same size. A stable loop has $p_1(1)=\alpha(n_1+n_0)>0$; then the wall at $z=1$ "
+        "contributes nothing, and the number of roots outside is twice the integer next to "
+        r"$-\Phi(\theta_1)/2\pi$. As this number is not negative, the loop is stable if and only "
+        r"if $\alpha>0$, $2(1+e)>|(n_1-n_0)(\alpha+2\beta)|$ and $\Phi(\theta_1)>-\pi$. The "
+        r"argument of $A/z$ is $\pi$ minus an angle that is small for small $\theta_1$, so that "
+        "the last condition compares small angles if the wall has little stiffness:"
     )
     turned = on_circle(bottom.subs(a, 1 + e) / z)
     page.step(
@@ -68,7 +68,7 @@ def derive(page):
         (turned + turned.xreplace({I: -I})) / 2,
         -(1 + e) * (1 - cos(theta)),
         name=r"\Re\frac Az",
-        because="it equals $-\\tfrac12(1+e)y$; the imaginary part is $(1-e)\\sin\\theta$",
+        because=r"the real part is $-\tfrac12(1+e)y$, and the imaginary part is $(1-e)\sin\theta$",
     )
 
 

@@ -1,8 +1,8 @@
 """What is the delay margin of a wall?
 
 A wall that is stable without delay may become unstable as the delay grows. The angles at which a
-root can cross the circle do not depend on the delay. We ask at which of them roots leave the
-circle, and at which delay the first one does.
+root can cross the circle do not depend on the delay. We ask at which of these angles roots leave
+the unit disc, and at which delay the first root leaves it.
 """
 
 from symhaptic.book.figures.stability import delay_margins
@@ -12,12 +12,12 @@ from symhaptic.book.lemmas.stability import stable_at, unstable_at
 
 def derive(page):
     page.say(
-        "With $h=-NW/A$ a root is a point where $z^{d+1}=h(z)$, and the delay may be any real "
-        "number there, on the principal sheet. The root moves with it: $(d+1)\\ln z=\\ln h$, and "
-        "with $u+jw=z\\,h'/h$ at $z=e^{j\\theta}$,"
+        "Let $h=-NW/A$. A root is a point where $z^{d+1}=h(z)$, and in this equation the delay may "
+        r"be any real number (principal sheet). The root moves with the delay by $(d+1)\ln z=\ln "
+        r"h$. With $u+jw=z\,h'/h$ at $z=e^{j\theta}$:"
     )
     page.step(
-        "With the delay a root on the circle moves outwards where $w$ is positive",
+        "With growing delay a root on the circle moves outwards if $w$ is positive",
         real_part(-I * theta / (d + 1 - u - I * w)),
         theta * w / ((d + 1 - u) ** 2 + w**2),
         name=r"\frac{\partial\ln|z|}{\partial d}",
@@ -27,24 +27,24 @@ def derive(page):
         real_part(I * (u + I * w)),
         -w,
         name=r"\frac{\partial\ln|h|}{\partial\theta}",
-        because="so with growing delay roots leave at an angle where the wall ceases to dominate, "
-        "and come back at one where it begins to",
+        because="so with growing delay roots leave the disc at an angle where the wall ceases to "
+        "dominate, and come back at an angle where it begins to dominate",
     )
     page.say(
         r"The surplus $|A|^2-|NW|^2$ has degree two in $y=4\sin^2\frac\theta2$, so that it rises "
-        r"at one of its zeros at most. There is at most one angle $\theta_1$ at which roots "
-        "leave; if there is none, a wall that is stable without delay is stable with every "
-        "delay. (If the wall dominates at $z=-1$, the sign of $p_1(-1)$ makes the loop unstable "
-        r"for every other integer delay.) With the phase $\Phi_0$ of $NWz/A$:"
+        r"at one of its zeros at most. So roots leave at one angle $\theta_1$ at most. If there is "
+        "no such angle, a wall that is stable without delay is stable with every delay. (If the "
+        "wall dominates at $z=-1$, the sign of $p_1(-1)$ makes the loop unstable for every other "
+        r"integer delay.) Let $\Phi_0$ be the phase of $NWz/A$:"
     )
     turns, phase = symbols("k Phi_0")
     critical = (phase + (2 * turns + 1) * pi) / theta - 2
     page.step(
-        "A pair of roots leaves at the delays",
+        "A pair of roots leaves the unit disc at each delay of a sequence",
         (critical + 2) * theta,
         phase + (2 * turns + 1) * pi,
         name=r"(d_k+2)\,\theta_1",
-        because=r"for integer $k$: one every $2\pi/\theta_1$ periods",
+        because=r"$k$ is an integer, so one pair leaves every $2\pi/\theta_1$ periods",
     )
     page.say(
         r"The first $d_k\ge0$ is the delay margin, since no root can come back before one has "
@@ -69,17 +69,17 @@ def derive(page):
     )
     page.figure(
         "delay_margin",
-        "The largest delay up to which a wall stays stable, for $\\gamma=0.001$, $\\delta=0.02$, "
-        "and a close-up. Lines: stable regions for $d=0$, 1, 2, 4 and 8.",
+        r"The largest delay up to which a wall stays stable, for $\gamma=0.001$, $\delta=0.02$, "
+        "and a close-up. The lines are the borders of the stable regions for $d=0$, 1, 2, 4 and 8.",
         delay_margins,
         panels=(1, 2),
         height=0.6,
     )
     page.state(
         "delay-margin",
-        "with growing delay (on the principal sheet) a root on the circle moves outwards where, "
-        "with growing angle, the plant takes the lead over the wall, and inwards where the wall "
-        "does; and there is one angle at most at which the plant takes it",
+        "with growing delay (on the principal sheet) a root on the circle moves outwards at an "
+        "angle where the wall ceases to dominate, and inwards at an angle where it begins to "
+        "dominate; the wall ceases to dominate at one angle at most",
         claim=both([leaves_where_the_wall_stops_to_lead(), at_one_angle()]),
     )
     page.settle(

@@ -1,7 +1,7 @@
 """Is four times the stiffness stable at twice the sampling rate?
 
 By Table I, walls scale with the period and the mass if $bT/m$ and $kT^2/m$ stay the same. With a
-constant damper or spring they do not. One wall for each, inside (23), shows this.
+constant damper or spring the walls do not scale. One wall inside (23) shows this for each of them.
 """
 
 from symhaptic.book.lemmas.near_tip import none_above
@@ -62,8 +62,8 @@ def stiffness(page):
         },
         shows=r"$d=0$, $k=0$: at $\delta=\tfrac1{50}$ the wall $\alpha=0.713$ can be stable, at "
         r"$\tfrac1{100}$, for the same damper at half the period, it cannot",
-        note="also exact if $bT/m$ and $kT^2/m$ are constant; with this damper less than 3.93 "
-        "times",
+        note="the factor 4 is exact if $bT/m$ and $kT^2/m$ are constant; with this constant damper "
+        "the factor is less than 3.93",
     )
 
 
@@ -71,7 +71,8 @@ def bound(page):
     """Damping in proportion to mass and rate, beside some stiffness."""
     claim = page.claim("s4d-damping-bound")
     kept = page.lemma(
-        "With constant $bT/m$ and $kT^2/m$, $BT/m$ has the same bound for every period and mass",
+        "With constant $bT/m$ and $kT^2/m$ the bound of $BT/m$ is the same for every period and "
+        "mass",
         for_another_mass_and_rate(),
     )
     loop = dict.fromkeys((b, k, d), S.Zero) | {T: S.One, m: S.One, HEAVY: S.One, SOON: S.Half}
@@ -87,8 +88,8 @@ def bound(page):
         },
         shows=r"$d=0$, $k=0$: at $\delta=\tfrac1{50}$ the wall $\beta=2.02$ can be stable, at "
         r"$\tfrac1{100}$, for the same damper at half the period, it cannot",
-        note="also exact if $bT/m$ and $kT^2/m$ are constant; for small $b$ the bound without "
-        r"delay is $2m/T+\tfrac43b$",
+        note="the proportion is exact if $bT/m$ and $kT^2/m$ are constant; for small $b$ the bound "
+        r"without delay is $2m/T+\tfrac43b$",
     )
 
 
@@ -110,23 +111,26 @@ def _changed(page):
     page.say(
         "From Table I the paper infers how the stable walls change with the period $T$ and the "
         "mass $m$, for a constant delay factor $d$. If the operator's $b$ and $k$ change in "
-        "proportion, the normalised loop stays the same. If they are constant, the "
-        "loop changes. A damped mass without spring and delay, $\\gamma=0$ and $d=0$, shows by how "
-        "much."
+        "proportion, the normalised loop stays the same. If $b$ and $k$ are constant, the "
+        r"normalised loop changes. A damped mass without spring and delay, $\gamma=0$ and $d=0$, "
+        "shows by how much."
     )
     all_scaled(page)
     bare = {gamma: S.Zero, delta: BEFORE, d: S.Zero}
-    page.say("Now keep $b$. Take two walls at $\\delta=\\frac1{50}$, the end of the range (23):")
+    page.say(
+        r"Now keep $b$ constant. Take two walls at $\delta=\frac1{50}$, the end of the range "
+        "(23):"
+    )
     page.lemma(
-        "For $\\gamma=0$, $\\delta=\\frac1{50}$ the wall $\\alpha=0.713$, $\\beta=0.825$ is stable",
+        r"The wall $\alpha=0.713$, $\beta=0.825$ is stable for $\gamma=0$, $\delta=\frac1{50}$",
         stable_at({**bare, **STIFF}),
     )
     page.lemma(
-        "For $\\gamma=0$, $\\delta=\\frac1{50}$ the wall $\\alpha=0.001$, $\\beta=2.02$ is stable",
+        r"The wall $\alpha=0.001$, $\beta=2.02$ is stable for $\gamma=0$, $\delta=\frac1{50}$",
         stable_at({**bare, **BRAKED}),
     )
     page.enclosed(
-        "For $\\delta=\\frac1{100}$ the largest damping and stiffness are enclosed",
+        r"Intervals contain the largest damping and stiffness for $\delta=\frac1{100}$",
         [
             (r"\alpha_{\max}", value(boundary.largest_undelayed(ARM), {delta: AFTER})),
             (r"1/n_0\big|_{\delta=0.01}", value(1 / ARM.n0, {delta: AFTER})),
@@ -136,10 +140,11 @@ def _changed(page):
         r"second wall's $\beta$ is twice its damping, and it is unstable with every $\alpha$",
     )
     page.lemma(
-        r"For $\gamma=0$, $\delta=\frac1{100}$ all stable walls are less stiff than this",
+        r"All stable walls are less stiff than this bound for $\gamma=0$, $\delta=\frac1{100}$",
         none_above((S.Zero, AFTER), 0)[1],
-        because="so less than 3.93 times the stiffness is left: four times this bound is less than "
-        "$3.93\\cdot0.713$. Twice the mass with the same damper is $\\delta=\\frac1{100}$ too",
+        because="so the stiffness becomes less than 3.93 times as large: four times this bound is "
+        r"less than $3.93\cdot0.713$. Twice the mass with the same damper also gives "
+        r"$\delta=\frac1{100}$",
     )
 
 
@@ -148,7 +153,7 @@ def all_scaled(page):
     page.lemma(
         "Stability does not change if all parameters are scaled with half the period",
         numbers_known(inst(with_the_rate(STIFFER, STRONGER), {y: S(2)})),
-        because="for every delay in periods",
+        because="this holds for every delay in periods",
     )
     heavier = inst(with_the_mass(STIFFER, STRONGER), {HEAVY: 2 * m})
     page.lemma(

@@ -1,7 +1,8 @@
 """Can too much virtual damping make a wall unstable?
 
 A physical damper only dissipates energy. The virtual damper uses the mean speed of the last period,
-and its force is held for the next. We look for a bound that no stable wall can exceed.
+and its force is held for the next. We look for a bound of the virtual damping that no stable wall
+can exceed.
 """
 
 from symhaptic.book.lemmas.passive_is_stable import LOOP
@@ -25,15 +26,15 @@ def derive(page):
         because="the rest of the polynomial has the factor $z^{d+1}$, for every integer $d$",
     )
     page.say(
-        "The polynomial is monic, so that, up to the sign, this is the product of its roots. If "
-        "all lie inside the unit circle, $|n_0\\beta|<1$, whatever $\\alpha$, $\\gamma$, $\\delta$ "
-        "and the delay are. A free mass has $n_0=\\tfrac12$ and $|\\beta|<2$, that is "
-        "$|B|<2m/T$. With a delay of $p/q$ periods it is the same for the polynomial in "
-        "$z^{1/q}$. Where $n_0=0$, with springs far stiffer than an arm, the next coefficient "
-        "bounds $n_1\\beta$; and where $n_1=0$ too, no wall is stable."
+        "The polynomial is monic, so that its constant coefficient is the product of its roots, up "
+        r"to the sign. If all roots lie inside the unit circle, $|n_0\beta|<1$ for all $\alpha$, "
+        r"$\gamma$, $\delta$ and delays. A free mass has $n_0=\tfrac12$ and $|\beta|<2$, that is "
+        "$|B|<2m/T$. With a delay of $p/q$ periods the same argument holds for the polynomial in "
+        "$z^{1/q}$. The coefficient $n_0$ can be 0 for springs far stiffer than an arm. Then the "
+        r"next coefficient bounds $n_1\beta$, and if also $n_1=0$, no wall is stable."
     )
     bounded = page.lemma(
-        r"For each device and delay one bound of $\beta$ holds for all stable walls",
+        r"For each device and delay all stable walls have $\beta$ below one bound",
         bounded_damping(),
         boxed=True,
     )
@@ -47,14 +48,14 @@ def derive(page):
             where = f"For $d={delay}$, $\\gamma=0.001$, $\\delta=0.02$"
             page.lemma(f"{where} the wall $(0.05,{text})$ is {word}", shown(wall))
     page.say(
-        "With a delay the bound of the damping is lower. By the first theorem no virtual "
-        "stiffness changes this."
+        "With a delay the bound of the damping is lower. By the first theorem the bound does not "
+        "depend on the virtual stiffness."
     )
     given = [gamma >= 0, delta >= 0, d >= 0]
     page.settle(
         "s4d-too-much-damping",
         conj(for_all((gamma, delta, d), given, add_assum(bounded, *given)), _lost()),
-        note="$|n_0\\beta|<1$ for every delay",
+        note=r"every stable wall has $|n_0\beta|<1$, for every delay",
     )
 
 

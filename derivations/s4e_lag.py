@@ -1,8 +1,8 @@
 """What does a first-order lag predict for the stability of a wall?
 
 The paper's linear condition comes from continuous time: hold and delay become one first-order lag,
-and the Routh-Hurwitz criterion decides. We repeat this derivation and state every term that is
-dropped.
+and the Routh-Hurwitz criterion decides. We repeat this derivation and state every term that the
+paper drops.
 """
 
 from symhaptic.book.lemmas.linear import forbidden, of_the_walls, stable_with_lag
@@ -18,17 +18,18 @@ def derive(page):
         "The loop with the lag has the polynomial",
         Plant().characteristic * (1 + t_e * s) + lag.WALL,
         a_3 * s**3 + a_2 * s**2 + a_1 * s + a_0,
-        because="device times lag, plus wall",
+        because="the polynomial is the denominator of the device times that of the lag, plus the "
+        "wall",
     )
     page.lemma(
-        "In the loop with the lag two inequalities decide stability",
+        "Two inequalities decide the stability of the loop with the lag",
         stable_with_lag(),
-        because="of the three minors of a cubic, $a_2=m+bt_e$ is positive, and the third is "
-        "$a_0=k+K$ times the second, $a_2a_1-a_3a_0$",
+        because="a cubic has three Hurwitz minors: $a_2=m+bt_e$ is positive, the second is "
+        "$a_2a_1-a_3a_0$, and the third is $a_0=k+K$ times the second",
         boxed=True,
     )
     whole = page.step(
-        "For this loop Hurwitz' determinant is (24) plus one term",
+        "Hurwitz' determinant of this loop is (24) plus one term",
         lag.margin(Plant()),
         b + B - K * t_e + b * t_e / m * (b + B + k * t_e),
         name=r"\tfrac1m(a_2a_1-a_3a_0)",
@@ -41,19 +42,19 @@ def derive(page):
         S.Zero,
         b + B - K * t_e,
         name=r"\tfrac1m(a_2a_1-a_3a_0)",
-        because="these are the terms of (24)",
+        because="the limit consists of the terms of (24)",
     )
     linear = page.step(
-        "Solved for the stiffness (24) is damping over delay",
+        "By (24) the stiffness is less than damping over delay",
         K + kept / t_e,
         (b + B) / t_e,
         name=r"K_{\text{lin}}",
         paper="24",
     )
     page.say(
-        r"So (24) drops the term $\frac{bt_e}m(b+B+kt_e)$. At the border of (24) its ratio to the "
-        r"other terms is $\frac{bt_e}m(1+\frac kK)$: of order $T$ for a given device, zero only "
-        "for $b=0$, and dependent on the stiffness $k$."
+        r"So (24) drops the term $\frac{bt_e}m(b+B+kt_e)$. At the border of (24) the ratio of this "
+        r"term to the other terms is $\frac{bt_e}m(1+\frac kK)$. For a given device the ratio is "
+        "of order $T$ and depends on the stiffness $k$; it is zero only for $b=0$."
     )
     settle(page, linear.subs(t_e, lag.DELAY) > K)
 
@@ -70,8 +71,8 @@ def settle(page, derived):
         example=easy,
         unless={Eq(b, 0): (damped, forbidden(same, damped))},
         shows=r"$m=b=T=1$, $t_d=\tfrac12$, $k=B=0$: Routh allows $K<2$, (24) only $K<1$",
-        note=r"this is Routh's condition for the lag without the term $\frac{bt_e}m(b+B+kt_e)$. "
-        "For the sampled loop it is neither necessary nor sufficient",
+        note=r"(24) is Routh's condition for the lag without the term $\frac{bt_e}m(b+B+kt_e)$. "
+        "For the sampled loop (24) is neither necessary nor sufficient",
     )
 
 
@@ -80,9 +81,9 @@ def neglected(page):
     page.say(
         "Hold and delay have the transfer function $H_0=e^{-t_ds}(1-e^{-Ts})/(Ts)$, the backward "
         "difference is $D=(1-e^{-Ts})/T$, and the sampler adds aliases around multiples of "
-        r"$2\pi/T$. The paper replaces the first by a lag $1/(1+t_es)$ with the effective delay "
-        r"$t_e=t_d+\tfrac T2$, the second by $s$, and neglects the third. The first two "
-        "replacements are right to first order in $s$. Their errors are"
+        r"$2\pi/T$. The paper replaces $H_0$ by a lag $1/(1+t_es)$ with the effective delay "
+        r"$t_e=t_d+\tfrac T2$, replaces $D$ by $s$, and neglects the aliases. Both replacements "
+        "are right to first order in $s$, and their errors are of second order:"
     )
     page.limit(
         "The error of the lag is of second order",
@@ -99,6 +100,6 @@ def neglected(page):
         S.Zero,
         -T / 2,
         name=r"\frac1{s^2}(D-s)",
-        because="multiplied by $K$ and $B$, both errors act like masses. They are of order $T$ "
-        "compared with $m$ if $K$ is of order $1/T$, as on the border of (24)",
+        because="multiplied by $K$ and $B$, both errors act like masses. On the border of (24) $K$ "
+        "is of order $1/T$, and these masses are of order $T$",
     )

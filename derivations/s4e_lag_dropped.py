@@ -1,7 +1,8 @@
 """On which side does the linear condition err?
 
-Routh's condition for the loop with a lag has one term more than the paper's (24). We ask for its
-sign, in SI units and in the parameters of Table I, and how it depends on the arm's stiffness.
+Routh's condition for the loop with a lag has one term more than the paper's (24). We ask for the
+sign of this term, in SI units and in the parameters of Table I, and for its dependence on the arm's
+stiffness.
 """
 
 from sympy import sympify
@@ -39,15 +40,15 @@ def derive(page):
 def never(page):
     """For the lag (24) errs on the safe side."""
     page.lemma(
-        "Where (24) and $K>-k$ hold, the loop with the lag is stable",
+        "The loop with the lag is stable if (24) and $K>-k$ hold",
         safe(),
         because="for the lag (24) is conservative for all $b$ and $k$: the dropped term is not "
-        "negative, and the other conditions hold, too",
+        "negative, and the other conditions also hold",
     )
     claim = lagging()
     page.state(
         "linear-lag",
-        "every wall with (24) and $K>-k$ is stable in the loop with the lag",
+        "every wall that satisfies (24) and $K>-k$ is stable in the loop with the lag",
         claim=claim,
     )
     page.settle(
@@ -61,11 +62,11 @@ def never(page):
 def stiffness(page, whole):
     """The arm's spring in Routh's condition."""
     page.step(
-        "Solved for the stiffness Routh's condition allows more",
+        "Routh's condition allows more stiffness than (24)",
         K + whole / t_e,
         (b + B) / t_e + b / m * (b + B + k * t_e),
         name=r"K_{\text{Routh}}",
-        because="the stiffness $k$ raises it unless $b=0$",
+        because="the arm's stiffness $k$ raises this limit unless $b=0$",
     )
     same = taken_apart(page.claim("s4e-stiffness-free"))[2]
     easy = {**ONES, b: S.Zero, k: S.One, x: S(2), B: S.One, K: HALF}
@@ -76,9 +77,9 @@ def stiffness(page, whole):
         example=easy,
         unless={Eq(b, 0): (sprung, more_with_a_spring(same, sprung))},
         shows=r"$m=b=t_e=k=1$, $B=0$: Routh allows $K<3$, and $K<2$ without the spring",
-        note="this holds for Routh's condition for the lag. (24) does not contain $k$, because it "
-        "drops the term with $k$. The lower limit $K>-k$ is exact for the lag ($a_0=k+K$) and "
-        "necessary for the sampled loop (s4d-left-bound)",
+        note="the statement holds for Routh's condition for the lag. (24) does not contain $k$, "
+        "because it drops the term with $k$. The lower limit $K>-k$ is exact for the lag "
+        "($a_0=k+K$) and necessary for the sampled loop (s4d-left-bound)",
     )
 
 
@@ -88,20 +89,20 @@ def plane(page, kept, whole):
     scaled |= {t_d: d * T}
     small, large = ((f.subs(t_e, lag.DELAY) * T / m).subs(scaled) for f in (kept, whole))
     line = page.step(
-        "In the parameters of Table I, times $T/m$, (24) is linear",
+        "In the parameters of Table I (24) is linear",
         small,
         beta + delta - alpha * (HALF + d),
         name=r"\tfrac Tm(b+B-Kt_e)\big|_{\text{Table I}}",
         paper="25",
     )
     page.step(
-        "In these parameters Routh's condition has one more term",
+        "In the parameters of Table I Routh's condition has one more term",
         large,
         line + delta * (d + HALF) * (beta + delta + gamma * (d + HALF)),
         name=r"\tfrac T{m^2}(a_2a_1-a_3a_0)",
-        because="on the line $\\beta+\\delta=\\alpha(\\tfrac12+d)$ the last term is the share "
-        "$\\delta(d+\\tfrac12)(1+\\gamma/\\alpha)$: 1\\,\\% for $\\delta=0.02$, $d=0$, and "
-        "17\\,\\% for $d=8$, without a spring",
+        because=r"on the line $\beta+\delta=\alpha(\tfrac12+d)$ the ratio of the last term to the "
+        r"others is $\delta(d+\tfrac12)(1+\gamma/\alpha)$. Without a spring and with $\delta=0.02$ "
+        r"this is 1\,\% for $d=0$ and 17\,\% for $d=8$",
     )
     same = taken_apart(page.claim("eq25"))[2]
     table = normalised(d, alpha, beta, gamma, delta)
@@ -116,7 +117,7 @@ def plane(page, kept, whole):
         unless={Eq(delta, 0): (damped, forbidden(same, damped))},
         shows=r"$\delta=1$, $d=\tfrac12$, $\beta=\gamma=0$: Routh allows $\alpha<2$, (25) only "
         r"$\alpha<1$",
-        note="this is Routh's condition for the lag without one term. By Table I it is equivalent "
+        note="(25) is Routh's condition for the lag without one term. By Table I it is equivalent "
         "to (24)",
     )
 

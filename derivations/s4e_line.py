@@ -1,8 +1,8 @@
 r"""Is the line of the linear condition the tangent of the exact boundary?
 
 For small $\alpha$ the paper linearises the stability boundary around the origin and finds the line
-$\beta+\delta=\alpha(d+\frac12)$ of (25). We compare the line with the exact boundary, its start and
-its slope.
+$\beta+\delta=\alpha(d+\frac12)$ of (25). We compare the line with the start and the initial slope
+of the exact boundary.
 """
 
 from symhaptic.book.lemmas.linear_tangent import free_mass_only, tangent
@@ -16,18 +16,18 @@ def derive(page):
     stiffness, damping = boundary.solved(on_circle(-(z**d) * linear.near()))
     lies = linear.surplus(stiffness, damping)
     page.say(
-        "The line is where $\\Delta=\\beta+\\delta-(d+\\frac12)\\alpha$ vanishes. The boundary "
-        "starts on $\\alpha=-\\gamma$, for every real $d$ on the principal sheet:"
+        r"On the line $\Delta=\beta+\delta-(d+\frac12)\alpha$ vanishes. The boundary starts on "
+        r"$\alpha=-\gamma$ for every real $d$, with $z^d=e^{jd\theta}$:"
     )
     page.limit(
-        "At the start of the boundary",
+        r"At the start of the boundary $\Delta$ is minus the gap",
         lies,
         theta,
         S.Zero,
         -(s_1 - delta - gamma / 2),
         name=r"\Delta",
-        because=r"the boundary starts below the line, by the gap $g=s_1-\delta-\frac12\gamma$, "
-        "for every arm with a spring and damping",
+        because="for every arm with a spring and damping the boundary starts below the line, at "
+        r"the distance of the gap $g=s_1-\delta-\frac12\gamma$",
     )
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
     on = (lies + s_1 - delta - gamma / 2) / theta**2
@@ -39,29 +39,29 @@ def derive(page):
         -short / 12,
         name=r"\frac{\Delta+g}{\theta^2}",
         because=r"the difference is negative, as $\nu\le\frac12$, $s_2>0$ and "
-        r"$s_1\ge\delta+\frac12\gamma$. It is zero only for $\gamma=\delta=0$: up to (30) the "
-        "slope of every other boundary is smaller",
+        r"$s_1\ge\delta+\frac12\gamma$. It is zero only for $\gamma=\delta=0$; every other "
+        "boundary up to (30) has a smaller slope than the line",
     )
     page.say(
-        "So (25) is the tangent only of the boundary of the free mass. It is the limit of all "
-        r"boundaries for short periods. With $T\propto h^2$ let $\delta$ be of order $h^2$, "
-        r"$\gamma$ of order $h^4$, and the angle of order $h$:"
+        "So (25) is the tangent of the boundary of the free mass only. But for short periods all "
+        r"boundaries tend to this line. Let $T$ and $\delta$ be of order $h^2$, $\gamma$ of order "
+        "$h^4$, and the angle of order $h$:"
     )
     scaled = periods(page)
     across = page.limit(
-        "The stiffness is then of the order $h^2$",
+        "The stiffness on the boundary is of order $h^2$",
         stiffness.subs(scaled, simultaneous=True) / h**2,
         h,
         S.Zero,
         theta**2 * s_2,
         name=r"\alpha(h)/h^2",
-        because="with $s_2\\to1$, so that $\\theta^2$ below stands for $\\alpha$",
+        because=r"$s_2\to1$, so that $\alpha\approx\theta^2$",
     ).subs(s_2, 1)
     flat, rise = 6 * (d + 1) ** 2 + 1, (d + 1) * (2 * d + 1) * (2 * d + 3)
     apart = theta**2 * (rise * theta**2 - flat * delta) / 12
     above = (lies.subs(scaled, simultaneous=True) / h**4).subs({s_2: 1, MU: delta / 12})
     page.limit(
-        "The distance from the line is of the next order",
+        r"The distance $\Delta$ from the line is of order $h^4$",
         above,
         h,
         S.Zero,
@@ -75,16 +75,16 @@ def derive(page):
         flat / (d + 1) * delta / (2 * d + 1) / (2 * d + 3),
         name=r"\alpha_\times",
         boxed=True,
-        because="above it, the boundary lies left of the line",
+        because="above this stiffness the boundary lies left of the line",
     )
     straight = 6 * (d + 1) * delta / ((2 * d + 1) * (2 * d + 3))
     page.step(
-        "The ratio to the end of the straight part of the passive walls, (8)",
+        "The crossing lies just beyond the end (8) of the straight part of the passive walls",
         crossing / straight,
         1 + 1 / (6 * (d + 1) ** 2),
         name=r"\alpha_\times\Big/\frac{6(d+1)\delta}{(2d+1)(2d+3)}",
-        because=r"the crossing lies just beyond that end, by 17\,\% at $d=0$ and by 4\,\% at "
-        "$d=1$",
+        because=r"at the crossing the stiffness is 17\,\% larger than at that end for $d=0$, and "
+        r"4\,\% larger for $d=1$",
     )
     law = (d + 1) * (2 * d + 3) / 6 * (theta**2 - crossing)
     page.step(
@@ -92,9 +92,9 @@ def derive(page):
         apart / ((d + HALF) * across),
         law,
         name=r"\lim_{h\to0}\frac{1}{h^2}\,\frac{\alpha_{\text{lin}}-\alpha}{\alpha}",
-        because="with $\\theta^2$ for $\\alpha/h^2$; 2\\,\\% is reached "
-        "$\\frac{0.12}{(d+1)(2d+3)}$ from the crossing on either side, for $\\alpha\\ge0$ where "
-        "$\\delta\\ge\\frac{0.12(2d+1)}{6(d+1)^2+1}$",
+        because=r"$\theta^2$ stands for $\alpha/h^2$. The error is 2\,\% at a distance of "
+        r"$\frac{0.12}{(d+1)(2d+3)}$ from the crossing on either side; both points have "
+        r"$\alpha\ge0$ if $\delta\ge\frac{0.12(2d+1)}{6(d+1)^2+1}$",
         boxed=True,
     )
     _tangent(page)
@@ -113,7 +113,7 @@ def periods(page):
         [2 * exp(-delta / 2) * n for n in (up, side)],
     )
     page.limit(
-        "The share $\\nu$ is nearly one half",
+        r"The share $\nu$ of the numerator tends to one half",
         (side / (2 * delta * up)).subs(brief, simultaneous=True),
         h,
         S.Zero,
@@ -127,8 +127,8 @@ def periods(page):
         S.Zero,
         S.One,
         name="n_1(h)+n_0(h)",
-        because="so $s_2\\to1$, as $s_1\\to0$. The gap is $\\frac1{720}\\delta\\gamma^2$ to lowest "
-        "order, as shown with the ends of the boundary",
+        because=r"so $s_2\to1$, as $s_1\to0$. The gap is $\frac1{720}\delta\gamma^2$ to lowest "
+        r"order (\chapter{s4d_explicit_boundary_ends})",
     )
     return {
         theta: h * theta,
@@ -141,20 +141,20 @@ def periods(page):
 
 def _tangent(page):
     page.say(
-        "We look at the start of the boundary, $\\theta\\to0$, where $\\alpha=-\\gamma$: does "
-        "it lie on the line of (25), and is the line tangent there?"
+        r"The boundary starts at $\theta\to0$ with $\alpha=-\gamma$. Does this point lie on the "
+        "line of (25), and is the line a tangent at this point?"
     )
     page.say(
-        "The surplus $\\Delta$ over the line tends to $-g$. Where the gap is zero, "
-        "$\\Delta/\\theta^2$ tends to a number that is negative for every spring and damper."
+        r"The surplus $\Delta$ over the line tends to $-g$. If the gap is zero, $\Delta/\theta^2$ "
+        "tends to a number that is negative for every spring and damper."
     )
     page.lemma(
         "The line is tangent to the boundary at its start for a free mass only", free_mass_only()
     )
     page.state(
         "linear-tangent",
-        "for $\\gamma-\\frac14\\delta^2<\\pi^2$ the boundary is tangent to (25), where it starts, "
-        "for $\\gamma=\\delta=0$ only",
+        r"for $\gamma-\frac14\delta^2<\pi^2$ the boundary is tangent to the line (25) at its start "
+        r"only if $\gamma=\delta=0$",
         claim=tangent(),
     )
     page.settle("linear-tangent", free_mass_only(), example={gamma: S.One, delta: S.One, d: S.Zero})

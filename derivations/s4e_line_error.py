@@ -1,7 +1,7 @@
 r"""How large is the error of the linear condition along the boundary?
 
 The paper compares the boundary's $\alpha$ with the $\alpha_{\text{lin}}$ of the line at the same
-$\beta$, in units of $\alpha+\gamma$. We write this error down for the whole boundary.
+$\beta$, in units of $\alpha+\gamma$. We derive a formula of this error for the whole boundary.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -23,19 +23,20 @@ def derive(page):
         "eq26",
         error,
         definition=True,
-        note="not defined at the boundary's start, $\\alpha=-\\gamma$",
+        note=r"the error is not defined at the start of the boundary, $\alpha=-\gamma$",
     )
     page.step(
-        r"The error is $\Delta/((d+\frac12)(\alpha+\gamma))$",
+        r"The error is the surplus $\Delta$ divided by $(d+\frac12)(\alpha+\gamma)$",
         (lag.line(beta, delta) - alpha) / (alpha + gamma),
         linear.surplus() / ((d + HALF) * (alpha + gamma)),
         name=r"\varepsilon",
-        because="it is positive where the boundary lies left of the line",
+        because="the error is positive where the boundary lies left of the line",
     )
     page.say(
-        r"With $\alpha$ and $\beta$ of the explicit boundary this is the error as a function of "
-        r"$\theta$, for every real $d$ on the principal sheet. For integer $d$ it is a quotient "
-        r"of polynomials in $y=4\sin^2\frac\theta2$, with $|M|^2=1-\nu(1-\nu)y$:"
+        r"We insert $\alpha$ and $\beta$ of the explicit boundary. The error is then a function of "
+        r"$\theta$, for every real $d$ with $z^d=e^{jd\theta}$. For integer $d$ the error is a "
+        r"quotient of polynomials in $y=4\sin^2\frac\theta2$, with the common denominator "
+        r"$|M|^2=1-\nu(1-\nu)y$:"
     )
     polynomials(page)
     free_mass(page)
@@ -43,10 +44,12 @@ def derive(page):
 
 def polynomials(page):
     """The two polynomials for d = 0 and d = 1."""
-    page.define("The gap lies between the start of the boundary and the line", G, GAP)
-    page.define("The share of the numerator lies below one half", MU, HALF - nu)
-    page.define("One number of the arm is a product", kappa, nu * (s_2 + (1 - nu) * s_1))
-    page.define("Another number of the arm is a sum", SIGMA, s_1 + s_2 + nu * (1 - nu) * gamma)
+    page.define("The gap $g$ lies between the start of the boundary and the line", G, GAP)
+    page.define(r"The share $\nu$ of the numerator is $\mu$ less than one half", MU, HALF - nu)
+    page.define(r"The number $\kappa$ of the arm is a product", kappa, nu * (s_2 + (1 - nu) * s_1))
+    page.define(
+        r"The number $\sigma$ of the arm is a sum", SIGMA, s_1 + s_2 + nu * (1 - nu) * gamma
+    )
     size = 1 - nu * (1 - nu) * Y
     rows = [
         (0, (s_1 + s_2) * Y - kappa * Y**2, -(s_1 / 2 + MU * s_2) * Y + kappa * Y**2 / 2),
@@ -71,7 +74,8 @@ def polynomials(page):
             arc.above,
             above - G * size,
             name=r"|M|^2\Delta",
-            because="so that $\\varepsilon=\\Delta/((d+\\frac12)(\\alpha+\\gamma))$",
+            because="the quotient of the two polynomials is "
+            r"$\varepsilon=\Delta/((d+\frac12)(\alpha+\gamma))$",
         )
 
 
@@ -83,5 +87,5 @@ def free_mass(page):
         lag.line(damping, 0) / stiffness - 1,
         sin((d + HALF) * theta) / ((2 * d + 1) * sin(theta / 2) * cos((d + 1) * theta)) - 1,
         name=r"\varepsilon",
-        because="for every real $d$",
+        because="this holds for every real $d$",
     )

@@ -1,7 +1,8 @@
-r"""Does the error of the linear condition rise along the boundary?
+"""Does the error of the linear condition rise along the boundary?
 
-It starts with a negative value, or without bound, and is zero where the boundary crosses the line.
-We show that it rises as long as the virtual damping is not positive, and is below 2 per cent there.
+The error is negative at the start of the boundary, or has no lower bound there. It is zero where
+the boundary crosses the line. We show that the error rises and is below 2 per cent as long as the
+virtual damping is not positive.
 """
 
 from symhaptic.book.lemmas.linear_boundary import AT_REST, TOTAL, minor
@@ -14,18 +15,18 @@ from symhaptic.paper.propositions.linear_error import LATER, rises
 
 def derive(page):
     page.say(
-        "The error compares stiffnesses at the same damping: a wall on the boundary is not "
-        r"stable, while all walls of less stiffness, down to $\alpha=-\gamma$, are. We use "
-        r"coordinates from the start of the line at $\alpha=-\gamma$: $A=\alpha+\gamma$ and "
-        r"$b=\beta+\delta+(d+\frac12)\gamma$."
+        "The error compares stiffnesses at the same damping. A wall on the boundary is not stable, "
+        r"but all walls with less stiffness, down to $\alpha=-\gamma$, are stable. We use "
+        r"coordinates whose origin is the start of the line at $\alpha=-\gamma$: $A=\alpha+\gamma$ "
+        r"and $b=\beta+\delta+(d+\frac12)\gamma$."
     )
     far, high = alpha + gamma, beta + delta + (d + HALF) * gamma
     page.step(
-        "The error is given by the slope of the ray from there",
+        "The slope $b/A$ of the ray from this origin gives the error",
         (lag.line(beta, delta) - alpha) / far,
         high / ((d + HALF) * far) - 1,
         name=r"\varepsilon",
-        because="it rises with $b/A$",
+        because="the error rises with $b/A$",
     )
     damped = 1 - TOTAL * s_1 + gamma * n_0
     page.step(
@@ -33,18 +34,19 @@ def derive(page):
         minor(0).subs(a, AT_REST).subs(e, damped),
         TOTAL * (1 - n_0 * beta) * (beta + s_1) - n_0 * (1 + n_1 * beta) * far,
         name=r"\Delta_2",
-        because="it falls with the stiffness, so that it is zero on the boundary",
+        because="since the minor falls with the stiffness, it is zero on the boundary",
     )
     page.say(
-        r"At the start of the line the minor is not negative; that is the gap $g\ge0$ again. Up "
-        r"to $\alpha=0.72$, and $\alpha=0.16$ with one period of delay, it falls with $A$ and "
-        r"rises with $b\ge-0.03$, for $\beta\le0$: of two walls on the boundary the one with more "
-        "damping is stiffer. On a ray with $b>0$ it is concave, so that it is positive between "
-        "the start and a wall of the boundary: the ray has no other wall of the boundary. With "
-        "one period of delay this is proved by ball arithmetic; without delay directly:"
+        "At the start of the line the minor is not negative, since the gap $g$ is not negative. "
+        r"The minor falls with $A$ and rises with $b$, for $\beta\le0$, $b\ge-0.03$ and "
+        r"stiffnesses up to $\alpha=0.72$ without delay and $\alpha=0.16$ with one period of "
+        "delay. So of two walls on the boundary the one with more damping is stiffer. On a ray "
+        "with $b>0$ the minor is concave, so that it is positive between the start and a wall of "
+        "the boundary. Therefore the ray meets the boundary once. Ball arithmetic proves the "
+        "concavity with one period of delay. Without delay a formula shows it:"
     )
     page.step(
-        "The minor is concave on a ray, $d=0$",
+        "Without delay the minor is concave on a ray",
         -bent(0),
         -n_0 * b_1 * (TOTAL * b_1 + n_1 * A_1),
         name=r"\tfrac12\,\Delta_2''",

@@ -1,7 +1,8 @@
 r"""What is the error of the linear condition at the start of the boundary?
 
 The boundary starts on $\alpha=-\gamma$, where the denominator of the error (26) vanishes. Sec. IV-E
-marks errors of 0, 2 and 5 per cent only. We take the limit, with and without spring and damping.
+marks only errors of 0, 2 and 5 per cent. We compute the limit of the error at the start, with and
+without spring and damping.
 """
 
 from sympy import tanh
@@ -25,9 +26,9 @@ def derive(page):
         S.Zero,
         -GAP / (d + HALF),
         name=r"(\alpha_{\text{lin}}-\alpha)",
-        because=r"with $g=s_1-\delta-\frac12\gamma$, while $\alpha+\gamma\to0$: for $g>0$, that is "
-        r"for every arm with spring and damping up to (30), $\varepsilon\to-\infty$. With "
-        r"$g\approx\frac1{720}\delta\gamma^2$ this happens on an interval of that size",
+        because=r"the gap is $g=s_1-\delta-\frac12\gamma$, and $\alpha+\gamma\to0$. For $g>0$, "
+        r"that is for every arm with spring and damping up to (30), $\varepsilon\to-\infty$. As "
+        r"$g\approx\frac1{720}\delta\gamma^2$, the error is large only on an interval of that size",
     )
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
     wide = s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2
@@ -41,7 +42,7 @@ def derive(page):
         name=r"\frac{\Delta+g}{\theta^2}",
     )
     page.limit(
-        "The denominator of the error is of the second order, too",
+        "The denominator of the error is also of second order",
         (stiffness + gamma) / theta**2,
         theta,
         S.Zero,
@@ -55,7 +56,11 @@ def derive(page):
         name=r"\lim_{\theta\to0}\varepsilon\big|_{g=0}",
     )
     device = plant.sampled(plant.normalised(Parts(stiffness=False)))
-    page.define("The share of $n_0$ without a spring", nu, linear.numbers(device)[nu])
+    page.define(
+        r"Without a spring $\nu$ is the share of $n_0$ in the numerator",
+        nu,
+        linear.numbers(device)[nu],
+    )
     page.step(
         "Without a spring $\\nu$ is a cotangent, $s_1=\\delta$ and $s_2=1$",
         1 - 2 * nu,
@@ -66,14 +71,14 @@ def derive(page):
         begins.subs({gamma: 0, s_1: delta, s_2: 1}),
         -((d + 1) ** 2 * delta + 1 - 2 * nu) / ((2 * d + 1) * (1 + (d + 1) * delta)),
         name=r"\lim_{\theta\to0}\varepsilon|_{\gamma=0}",
-        because=r"for small $\delta$ it is close to $-\frac{6(d+1)^2+1}{6(2d+1)}\,\delta$",
+        because=r"for small $\delta$ the error is close to $-\frac{6(d+1)^2+1}{6(2d+1)}\,\delta$",
     )
     swing = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
     shape = linear.numbers(swing)
     page.step(
         "Without damping the numerator is symmetric", shape[nu], HALF, name=r"\nu\big|_{\delta=0}"
     )
-    page.define(r"The stiffness as a function of $\Omega=\sqrt\gamma$", gamma, Omega**2)
+    page.define(r"The arm's stiffness is the square of the angle $\Omega$", gamma, Omega**2)
     page.step(r"Without damping $s_1=\gamma/2$", shape[s_1], gamma / 2, name=r"s_1\big|_{\delta=0}")
     page.step(
         "Without damping the initial error is negative",
@@ -87,8 +92,7 @@ def derive(page):
         swings,
         S.Zero,
         name=r"A(e^{j\Omega})",
-        because=r"with $\Omega=\sqrt\gamma$: at $\theta=\Omega$ the device oscillates without a "
-        r"wall, "
+        because=r"at $\theta=\Omega=\sqrt\gamma$ the device oscillates without a wall, so that "
         r"$Q=0$ and $\alpha=\beta=0$",
     )
     unbounded_there(page)
@@ -100,8 +104,8 @@ def unbounded_there(page):
     no_error = page.lemma(
         "With spring and damper the reciprocal of the error tends to zero",
         no_bound(),
-        because="$\\alpha+\\gamma$ is of order $\\theta^2$, with a factor that is positive, and "
-        "$\\alpha_{\\text{lin}}-\\alpha$ tends to a multiple of the gap, which is not zero",
+        because=r"$\alpha+\gamma$ is of order $\theta^2$ with a positive factor, and "
+        r"$\alpha_{\text{lin}}-\alpha$ tends to a multiple of the gap. This limit is not zero",
     )
     page.state(
         "linear-error-start",
@@ -121,7 +125,7 @@ def beyond_two_percent(page):
     """Beside spring and damper, for every size of both inside (23)."""
     page.say(
         "So the error is large near the start. Inside (23) take the wall whose distance from the "
-        r"start is 25 times the gap: there the gap exceeds $2\,\%$ of $\alpha+\gamma$, and "
+        r"start is 25 times the gap. For this wall the gap exceeds $2\,\%$ of $\alpha+\gamma$, and "
         r"$\alpha$ is so small that $\beta<0$."
     )
     page.state(
@@ -134,5 +138,5 @@ def beyond_two_percent(page):
         "linear-error-corner",
         in_the_corner(),
         example={gamma: STIFF, delta: STIFF},
-        note="it lies next to the corner at $\\alpha=-\\gamma$",
+        note=r"the wall lies next to the corner at $\alpha=-\gamma$",
     )

@@ -1,7 +1,8 @@
 r"""Where on the boundary is the error of the linear condition 0, 2 or 5 per cent?
 
-Fig. 10 of the paper marks such points for $\gamma=0.001$, five dampings and two delays. On each
-boundary they are zeros of one polynomial of degree two or three, and all of them can be enclosed.
+Fig. 10 of the paper marks points with these errors for $\gamma=0.001$, five dampings and two
+delays. On each boundary these points are zeros of one polynomial of degree two or three. Intervals
+contain all of them.
 """
 
 from flint import arb
@@ -18,21 +19,21 @@ from symhaptic.proof.roots import rounded
 def derive(page):
     page.say(
         r"The error has the value $\varepsilon$ where "
-        r"$\Delta-\varepsilon\,(d+\frac12)(\alpha+\gamma)$ vanishes. Times $|M|^2$ this is a "
-        r"polynomial in $y$, of degree $d+2$, with coefficients in the arm's numbers $\nu$, "
-        "$s_1$, $s_2$. Flint encloses all of its roots, each in a ball of its own, and those of "
-        r"$\alpha+\gamma$, the first of which ends the arc. The tables list every root in this "
-        r"interval, with $\theta=2\arcsin\frac{\sqrt y}2$: there is no other point of these "
-        "errors on any of the ten boundaries."
+        r"$\Delta-\varepsilon\,(d+\frac12)(\alpha+\gamma)$ vanishes. Multiplied by $|M|^2$ this "
+        "expression is a polynomial in $y$ of degree $d+2$. Its coefficients depend on the arm's "
+        r"numbers $\nu$, $s_1$, $s_2$. Flint encloses each of its roots in a ball, and the roots "
+        r"of $\alpha+\gamma$ in the same way. The first root of $\alpha+\gamma$ is the end of the "
+        r"arc. The tables list every root on the arc with its angle $\theta=2\arcsin\frac{\sqrt "
+        "y}2$. So no other point on the ten boundaries has one of these errors."
     )
     for delay in DELAYS:
         page.same("a root at z", *wall(delay))
     undamped = {delta: 0, s_1: gamma / 2, nu: S.Half, linear.CHORD: 0}
     page.same("no gap", *(linear.arc(n).above.subs(undamped) for n in DELAYS), S.Zero)
     page.say(
-        "Without damping there is no gap, $y$ is a factor that is divided out, and the line is "
-        "met at the origin. With damping the error is unbounded towards the start; the marks of "
-        r"$-2\,\%$ and $-5\,\%$ with $\alpha<0$ lie so close to the corner at $\alpha=-0.001$ "
+        "Without damping there is no gap, we divide by the factor $y$, and the boundary crosses "
+        "the line at the origin. With damping the error is unbounded towards the start; the marks "
+        r"of $-2\,\%$ and $-5\,\%$ with $\alpha<0$ lie so close to the corner at $\alpha=-0.001$ "
         "that the figure cannot show them."
     )
     for delay in DELAYS:
@@ -42,15 +43,15 @@ def derive(page):
             for level, point in marks(delay, damping)
         ]
         page.table(
-            f"All points for $d={delay}$, $\\gamma=0.001$; $\\varepsilon$ in per cent, the rest in "
-            "thousandths, rightly rounded.",
+            rf"All points for $d={delay}$, $\gamma=0.001$; $\varepsilon$ in per cent, the other "
+            "columns in thousandths, correctly rounded.",
             ("$\\delta$", "$\\varepsilon$", "$\\theta$", "$\\alpha$", "$\\beta$"),
             rows,
         )
     page.figure(
         "fig10",
         "Fig. 10 of the paper: exact boundaries (solid) and lines of (25) (dashed) for "
-        "$\\gamma=0.001$, with errors of 0, 2 and 5\\,\\%, without marks at $\\alpha<0$.",
+        r"$\gamma=0.001$. The marks are points with errors of 0, 2 and 5\,\% and $\alpha\ge0$.",
         draw,
         panels=(2, 1),
         height=1.1,
@@ -59,15 +60,15 @@ def derive(page):
         for damping in DAMPINGS:
             counted(page, delay, damping)
     page.say(
-        "The theorem is weaker than the tables: at an angle near that of each mark the wall of "
-        "the boundary has the error of the mark to a hundredth of a percent. The curves' walls "
-        r"have a zero at $e^{j\theta}$ and are not stable, and stable walls lie right of "
+        "The theorem states less than the tables. At an angle near that of each mark the wall of "
+        "the boundary has the error of the mark, up to a hundredth of a percent. The walls of the "
+        r"curves have a zero at $e^{j\theta}$ and are not stable, and stable walls lie right of "
         r"$\alpha=-\gamma$."
     )
     page.settle(
         "fig10",
         drawn(),
-        note="errors of $-2$ and $-5\\,\\%$ also occur next to the corner, for all $\\delta>0$",
+        note=r"for all $\delta>0$ errors of $-2$ and $-5\,\%$ also occur next to the corner",
     )
 
 

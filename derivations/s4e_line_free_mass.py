@@ -1,7 +1,7 @@
 """Is the linear condition exact for a free mass?
 
-For a free mass the line of (25) is the tangent of the boundary at its start, the origin. We ask on
-which side of it the stable walls lie, for every delay.
+For a free mass the boundary starts at the origin, and the line of (25) is its tangent there. We ask
+on which side of the line the stable walls lie, for every delay.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -15,20 +15,20 @@ def derive(page):
     stiffness, damping = boundary.wall(plant.sampled(plant.normalised(Parts(False, False))))
     surplus = sin((d + HALF) * theta) - (2 * d + 1) * sin(theta / 2) * cos(LATE)
     page.step(
-        "The boundary lies above the line",
+        "The boundary of a free mass lies above the line",
         (damping - (d + HALF) * stiffness) * cos(theta / 2) ** 2,
         2 * sin(theta / 2) * surplus,
         name=r"\cos^2\tfrac\theta2\;(\beta-(d+\tfrac12)\alpha)",
     )
     page.say(
-        "By $z=(1+s)/(1-s)$ the inside of the unit circle becomes the left half plane, and $z=1$ "
-        "becomes $s=0$. The lowest coefficients of this polynomial in $s$ give necessary "
-        "conditions for stability near $z=1$, for every delay:"
+        "With $z=(1+s)/(1-s)$ the inside of the unit circle becomes the left half plane, and $z=1$ "
+        "becomes $s=0$. The lowest coefficients of the polynomial in $s$ give necessary conditions "
+        "for stability near $z=1$, for every delay:"
     )
     page.lemma(
         "A stable wall of a free mass satisfies three inequalities of Hurwitz",
         conj(*minors()),
-        because="from the lowest power of $s$ on",
+        because="these are the first of Hurwitz' conditions, from the lowest power of $s$ on",
     )
     slack = 2 * beta - d * alpha
     page.step(
@@ -41,20 +41,20 @@ def derive(page):
     )
     page.lemma("Every stable wall of a free mass satisfies (25)", above_the_line(), boxed=True)
     page.say(
-        "The condition is necessary, but no wall on its border is stable. With damping some of "
-        r"them are (\chapter{s4e_line_passive})."
+        "The condition is necessary, and no wall on its border is stable. With damping some walls "
+        r"on the border are stable (\chapter{s4e_line_passive})."
     )
     page.state(
         "linear-free-mass",
-        "for $\\gamma=\\delta=0$ and whole $d$ every stable wall satisfies (25), and no wall "
-        "on its border is stable",
+        r"for $\gamma=\delta=0$ and integer $d$ every stable wall satisfies (25), and no wall on "
+        "its border is stable",
         claim=claimed(),
     )
     page.settle(
         "linear-free-mass",
         of_a_free_mass(),
         example={alpha: S.One, beta: S.One, d: S.Zero},
-        note="by necessary conditions near $z=1$, for every integer $d$ at once",
+        note="the proof uses necessary conditions near $z=1$, for every integer $d$ at once",
     )
 
 

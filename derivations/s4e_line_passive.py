@@ -1,7 +1,7 @@
 """Are the walls of the linear stability condition passive?
 
 The paper identifies its (24) with the straight part (9) of the passivity boundary, and uses it to
-obtain passive walls. We compare the two, and ask for the role of the arm's damping.
+obtain passive walls. We compare the two conditions, and ask for the role of the arm's damping.
 """
 
 from sympy import sympify
@@ -25,28 +25,28 @@ def derive(page):
         S.Zero,
         low,
         name="F",
-        because="it is positive in (9), and zero on the straight part of the boundary",
+        because="the limit is positive in (9), and zero on the straight part of the boundary",
     )
-    page.define("The delay has $d$ periods", t_d, d * T)
-    page.define("The held force adds half a period to it", t_e, lag.DELAY)
+    page.define("The delay is $d$ periods", t_d, d * T)
+    page.define("The hold adds half a period to the delay", t_e, lag.DELAY)
     page.step(
-        "With $t_d=dT$ (24) has the margin of low frequencies",
+        "With $t_d=dT$ the margin of (24) is that of low frequencies",
         b + B - K * t_e,
         low,
-        because="the same: both depend on the effective delay $t_e$ only",
+        because="both margins depend on the effective delay $t_e$ only",
     )
     both = taken_apart(page.claim("s4e-same-as-passive"))[2]
     page.settle(
         "s4e-same-as-passive",
         same_condition(*both.of),
         example={K: S.One, B: S.One, b: S.One, T: S.One, d: S.One, t_d: S.One},
-        note="the two formulas agree for every real $d$. (9) bounds the passive walls for integer "
-        "$d$ and in its range of $B$ only, and with $b=b_D$ by (3)",
+        note="the two formulas agree for every real $d$. By (3) $b=b_D$ in (9). (9) bounds the "
+        "passive walls only for integer $d$ and in its range of $B$",
     )
     page.say(
-        "In (24) the damping is $b_D+b_H$ by (2), in (9) it is $b_D$ by (3): for passivity the "
-        "arm is arbitrary, and its damping does not count. A wall between the two bounds "
-        "satisfies (24) and is not passive:"
+        "In (24) the damping is $b_D+b_H$ by (2). In (9) it is $b_D$ by (3), because the arm is "
+        "arbitrary for passivity, so that its damping does not count. A wall between the two "
+        "bounds satisfies (24) and is not passive:"
     )
     page.step(
         "With an arm (24) admits more walls than (9)",
@@ -56,11 +56,11 @@ def derive(page):
     )
     scaled = {K: alpha * m / T**2, B: beta * m / T, b: delta * m / T}
     page.step(
-        "In the parameters of Table I that margin is the surplus over (25)",
+        "In the parameters of Table I the margin of low frequencies is the surplus over (25)",
         (low * T / m).subs(scaled),
         linear.surplus(),
         name=r"\tfrac TmF|_{\theta\to0}",
-        because=r"with $\delta=b_DT/m$; by \chapter{s3c_linear_part_condition} the low frequencies "
+        because=r"here $\delta=b_DT/m$. By \chapter{s3c_linear_part_condition} the low frequencies "
         r"are the strictest for integer $d$, $\alpha\ge0$ and $-\delta\le\beta\le\frac "
         r"d{2d+3}\delta$",
     )
@@ -76,7 +76,7 @@ def derive(page):
 def in_its_range(page):
     """Which walls of the line are passive."""
     page.lemma(
-        r"For $\delta=b_DT/m$ the walls on or below the line are passive", passive_on_the_line()
+        r"The walls on the line or above it are passive for $\delta=b_DT/m$", passive_on_the_line()
     )
     claim = page.claim("s4e-passive-range")
     passive = taken_apart(claim)[2]
@@ -104,8 +104,8 @@ def in_its_range(page):
         ],
         shows="an undamped device in an arm with $b_H=1$: $K=T=1$, $B=d=0$ satisfies (24), and "
         "delivers energy",
-        note="with equality in (25), too. Passive walls are stable with every spring, so here "
-        "(25) is safe for every $\\gamma\\ge0$; for fractional $d$ no wall of the border is "
+        note="this also holds with equality in (25). Passive walls are stable with every spring, "
+        r"so here (25) is safe for every $\gamma\ge0$. For fractional $d$ no wall on the border is "
         "passive",
     )
 

@@ -15,9 +15,10 @@ from symhaptic.paper.propositions.linear_error import short_periods
 
 def derive(page):
     page.say(
-        "A wall on the boundary is not stable, while all walls of less stiffness, down to "
-        r"$\alpha=-\gamma$, are: Jury's largest minor is zero there. On the line it is, with "
-        r"$A=\alpha+\gamma$, $w=n_1-n_0$ and the gap $G=g\,(n_1+n_0)$,"
+        "A wall on the boundary is not stable, but all walls with less stiffness, down to "
+        r"$\alpha=-\gamma$, are stable. So Jury's largest minor is zero on the boundary. We "
+        r"compute this minor on the line. Let $A=\alpha+\gamma$, $w=n_1-n_0$, and let "
+        r"$G=g\,(n_1+n_0)$ be a multiple of the gap:"
     )
     loss = 1 + gamma * n_0 - (delta + gamma / 2) * TOTAL - GAP
     small = delta + gamma / 2
@@ -28,22 +29,22 @@ def derive(page):
         + A * (UNEVEN / 2 + n_0 * small * (4 * n_0 + 3 * UNEVEN) / 2)
         - A**2 * n_0 * (4 * n_0 + 3 * UNEVEN) / 4,
         name=r"\Delta_2",
-        because="these are products of two small numbers; with one period of delay other small "
-        "numbers take their place",
+        because="each term is a product of two small numbers or contains $G$; with one period of "
+        "delay the products contain other small numbers",
     )
     page.lemma(
-        "$n_1$ exceeds $n_0$ by at most $\\frac16\\delta$", nearly_even(), because="bounds $w$"
+        "$n_1$ exceeds $n_0$ by at most $\\frac16\\delta$", nearly_even(), because="this bounds $w$"
     )
     page.lemma(
         "The gap $G$ is at most $\\frac1{32}\\gamma^2\\delta$",
         narrow(),
-        because="bounds $G$, for all arms up to (30)",
+        because="this bounds $G$ for all arms up to (30)",
     )
     page.say(
         "Neither $w$ nor $G$ is negative. The minor rises with the surplus "
         r"$\Delta=\beta+\delta-(d+\frac12)\alpha$ over the line, at a rate close to 1. So the "
-        "distance of the boundary from the line is of the same order. A factor of 3 is sufficient "
-        "on all of (23), for $d=0$ and $d=1$."
+        "distance of the boundary from the line is also of second order. Three times a product of "
+        "two small numbers bounds this distance on all of (23), for $d=0$ and $d=1$."
     )
     second_order(page)
     order_of_period(page)
@@ -56,9 +57,9 @@ def second_order(page):
         "s4e-linearised",
         linearised(),
         example=dict.fromkeys(symbols, S.Zero),
-        note=r"in $\alpha$, $\gamma$ and $\delta$ together, for $d=0$ and $d=1$. For one arm the "
-        "line is not the tangent (linear-tangent): the boundary without a spring starts at "
-        r"$(0,-\delta)$ with a smaller slope",
+        note=r"the line is the first order in $\alpha$, $\gamma$ and $\delta$ together, for $d=0$ "
+        "and $d=1$. For a single arm the line is not the tangent (linear-tangent): without a "
+        r"spring the boundary starts at $(0,-\delta)$ with a smaller slope",
     )
 
 
@@ -68,8 +69,8 @@ def order_of_period(page):
     symbols = taken_apart(claim)[0]
     page.state(
         "linear-short-periods",
-        "for $d=0$ and $d=1$ the boundary tends to the line of (24) as $T\\to0$ with $KT\\le y$: "
-        "what is left of $b+B-K(t_d+\\frac T2)$ is of order $T$",
+        r"for $d=0$ and $d=1$ the boundary tends to the line of (24) as $T\to0$ with $KT\le y$: on "
+        r"the boundary $b+B-K(t_d+\frac T2)$ is of order $T$",
         claim=claim,
     )
     easy = dict.fromkeys(symbols, S.Zero) | {m: S.One, T: S.One}
@@ -77,5 +78,6 @@ def order_of_period(page):
         "linear-short-periods",
         all_tend(),
         example=easy,
-        note="both sides of (24) are of order 1 there, so that the relative error is of order $T$",
+        note="both sides of (24) are of order 1 on the boundary, so that the relative error is of "
+        "order $T$",
     )

@@ -1,8 +1,8 @@
 """Is virtual damping as good as physical damping?
 
-In (24) only their sum occurs. The paper concludes that, where its linear condition holds, damping
-in discrete time dissipates like damping in continuous time. We exchange one for the other on the
-exact boundary.
+The linear condition (24) contains only the sum of the two dampings. The paper concludes that
+damping in discrete time dissipates like damping in continuous time where this condition holds. We
+exchange one damping for the other on the exact boundary.
 """
 
 from symhaptic.book.lemmas.linear import turned
@@ -35,8 +35,8 @@ def derive(page):
         S.Zero,
         apart,
         name=r"\Delta/h^4",
-        because="where $\\theta^2$ stands for $\\alpha$ and $\\Delta$ is the surplus over the line "
-        "as for the tangent: the parabola is $\\beta=(d+\\frac12)\\alpha-\\delta+\\Delta$",
+        because=r"$\theta^2$ stands for $\alpha$, and $\Delta$ is the surplus over the line. The "
+        r"parabola is $\beta=(d+\frac12)\alpha-\delta+\Delta$",
     )
     page.step(
         "A unit of physical damping replaces more than one unit of virtual damping",
@@ -44,13 +44,14 @@ def derive(page):
         1 + flat * alpha / 12,
         name=r"-\frac{\partial\beta}{\partial\delta}\Big|_\alpha",
         boxed=True,
-        because=r"the ratio tends to 1 for $\alpha\to0$; at $\alpha=0.01$ it is about 0.6\,\% "
-        r"more for $d=0$ and 2\,\% more for $d=1$",
+        because=r"the ratio tends to 1 for $\alpha\to0$; at $\alpha=0.01$ it exceeds 1 by about "
+        r"0.6\,\% for $d=0$ and by 2\,\% for $d=1$",
     )
     page.say(
-        "The difference matters already where the linear condition is accurate to a few percent. "
-        r"Take $d=1$, $\gamma=0.001$ and the wall $\alpha=0.01$ with $\beta+\delta=0.015$, on the "
-        "line of (25). With physical damping it is stable, with virtual damping alone it is not:"
+        "The difference matters even for walls at which the linear condition is accurate to a few "
+        r"percent. Take $d=1$, $\gamma=0.001$ and the wall $\alpha=0.01$ with "
+        r"$\beta+\delta=0.015$, on the line of (25). With physical damping this wall is stable, "
+        "and with virtual damping alone it is not:"
     )
     wall = {alpha: Rational(1, 100), gamma: Rational(1, 1000), d: S.One}
     physical = {**wall, beta: -Rational(1, 200), delta: Rational(1, 50)}
@@ -69,8 +70,9 @@ def derive(page):
 def settle(page, physical, virtual):
     """One damping may stand for the other where (25) decides for both."""
     page.say(
-        r"So the two are equivalent in the limit $\alpha\to0$. Otherwise they are equivalent only "
-        "where (25) decides correctly for both, since it contains only their sum."
+        r"So the two dampings are equivalent in the limit $\alpha\to0$. For larger $\alpha$ they "
+        "are equivalent only if (25) decides correctly for both walls, since (25) contains only "
+        "the sum of the dampings."
     )
     claim = page.claim("s6-linear-dissipation")
     same = taken_apart(claim)[2]
@@ -87,8 +89,9 @@ def settle(page, physical, virtual):
         },
         shows=r"$d=1$, $\gamma=0.001$, $\alpha=0.01$: $\beta+\delta=0.015$ is stable with "
         r"$\delta=0.02$ and unstable with $\delta=0$",
-        note="that is, in the limit of small $\\alpha$: physical damping is worth "
-        "$1+\\frac1{12}(6(d+1)^2+1)\\,\\alpha$ times as much, to lowest order",
+        note=r"the statement holds in the limit of small $\alpha$. To lowest order in $\alpha$ one "
+        r"unit of physical damping replaces $1+\frac1{12}(6(d+1)^2+1)\,\alpha$ units of virtual "
+        "damping",
     )
 
 

@@ -1,8 +1,9 @@
 r"""From which damping on does the error exceed 2 per cent for negative $\beta$?
 
-The paper reads such cases from its Fig. 10 for $\delta>0.015$. Near the start of the boundary they
-exist for every damping, since the error is unbounded there. This chapter finds the damping from
-which on there are such walls with $\alpha\ge0$.
+From its Fig. 10 the paper reads that the error exceeds 2 per cent for $\delta>0.015$. Near the
+start of the boundary walls with a larger error exist for every damping, since the error is
+unbounded there. This chapter finds the damping from which on walls with $\alpha\ge0$ have such an
+error.
 """
 
 from symhaptic.book.lemmas.linear_corner import in_the_corner
@@ -21,35 +22,41 @@ HALF, LEVEL = Rational(1, 2), Rational(2, 100)
 def derive(page):
     page.say(
         r"While $\beta\le0$ the error rises along the boundary, and is less than $2\,\%$ "
-        r"(\chapter{s4e_line_error_rises}). Some wall with $\alpha\ge0$ has an error below "
-        r"$-2\,\%$ if and only if the wall at $\alpha=0$ has. There the wall of this error has"
+        r"(\chapter{s4e_line_error_rises}). So some wall with $\alpha\ge0$ has an error below "
+        r"$-2\,\%$ if and only if the boundary's wall with $\alpha=0$ has one. We compute the "
+        r"damping of a wall with $\alpha=0$ and an error of $-2\,\%$:"
     )
     page.step(
-        "At $\\alpha=0$ an error of $-2\\,\\%$ is reached at one damping",
+        r"At $\alpha=0$ one virtual damping gives an error of $-2\,\%$",
         (error() + LEVEL).subs(alpha, 0) * gamma * (d + HALF),
         beta + delta + LEVEL * (d + HALF) * gamma,
         name=r"(d+\tfrac12)\,\gamma\,(\varepsilon\big|_{\alpha=0}+0.02)",
-        because=r"it is zero for $\beta=-\delta-0.02\,(d+\frac12)\gamma$",
+        because=r"the sum is zero for $\beta=-\delta-0.02\,(d+\frac12)\gamma$",
     )
     page.say(
-        r"In the coordinates of \chapter{s4e_line_error_rises} it lies on the ray "
-        r"$b=0.98\,(d+\frac12)A$, at $A=\gamma$. On a ray Jury's minor is concave. At its start "
-        "it is not negative, and hardly larger than the gap. If the minor is negative at "
-        r"$A=\gamma$, it is negative for all stiffer walls of the ray, and the error of the "
-        r"boundary is smaller. If it is positive, a wall of the boundary with $\alpha$ just above "
-        "zero has a larger error."
+        r"In the coordinates $A$, $b$ of \chapter{s4e_line_error_rises} this wall lies on the ray "
+        r"$b=0.98\,(d+\frac12)A$, at $A=\gamma$. On a ray Jury's minor is concave. At the start of "
+        "the ray the minor is not negative, and hardly larger than the gap. If the minor is "
+        r"negative at $A=\gamma$, it is negative for all stiffer walls of the ray, and the error "
+        "of the boundary is smaller. If the minor is positive, a wall of the boundary with "
+        r"$\alpha$ just above zero has a larger error."
     )
     page.lemma(
         "The gap $G$ is at most $\\frac1{32}\\gamma^2\\delta$",
         narrow(),
-        because="$g\\,(n_1+n_0)$, for all arms up to (30)",
+        because=r"$G=g\,(n_1+n_0)$, and the bound holds for all arms up to (30)",
     )
     found = [
         (rf"\delta\big|_{{d={delay},\ \gamma={name}}}", edge(spring, delay))
         for delay in (0, 1)
         for spring, name in ((S.Zero, "0"), (STIFF, "0.001"))
     ]
-    page.enclosed("The error at $\\alpha=0$ is $-2\\,\\%$ at these dampings", found, places=22)
+    page.enclosed(
+        r"Intervals contain the dampings $\delta$ at which the error at $\alpha=0$ is "
+        r"$-2\,\%$",
+        found,
+        places=22,
+    )
     own(page)
     papers(page)
 
@@ -60,16 +67,16 @@ def own(page):
     theorem = on_either_side()
     page.state(
         "linear-two-percent",
-        "for $\\gamma=0.001$ the error exceeds 2\\,\\% for a wall of the boundary with "
-        "$\\alpha\\ge0$, $\\beta<0$ at all $\\delta\\ge0.01744$ and at no $\\delta\\le0.01743$ for "
-        "$d=0$, at all $\\delta\\ge0.01481$ and at no $\\delta\\le0.01480$ for $d=1$",
+        r"for $\gamma=0.001$ some wall of the boundary with $\alpha\ge0$ and $\beta<0$ has an "
+        r"error of more than 2\,\%: for $d=0$ at all $\delta\ge0.01744$ and at no "
+        r"$\delta\le0.01743$, and for $d=1$ at all $\delta\ge0.01481$ and at no $\delta\le0.01480$",
         claim=claim,
     )
     page.settle(
         "linear-two-percent",
         theorem,
         example={delta: DAMPED},
-        note="without a spring the damping is slightly larger",
+        note="without a spring this damping is slightly larger",
     )
 
 
@@ -83,10 +90,10 @@ def papers(page):
         "s4e-two-percent",
         every,
         example={delta: DAMPED},
-        note=r"0.015 is not a threshold: inside (23) such walls exist for every $\gamma\delta>0$ "
-        r"(linear-error-corner), next to the corner at $\alpha=-\gamma$; with $\alpha\ge0$ "
-        r"they exist from $\delta=0.01481$ on for $d=1$ and from $0.01744$ on for $d=0$ "
-        "(linear-two-percent)",
+        note="the damping 0.015 is not a threshold. Inside (23) walls with such an error exist for "
+        r"every $\gamma\delta>0$, next to the corner at $\alpha=-\gamma$ (linear-error-corner). "
+        r"With $\alpha\ge0$ they exist for $\delta\ge0.01481$ if $d=1$ and for $\delta\ge0.01744$ "
+        "if $d=0$ (linear-two-percent)",
     )
 
 

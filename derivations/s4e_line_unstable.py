@@ -12,11 +12,11 @@ from symhaptic.model import jury, linear
 
 def derive(page):
     page.say(
-        "A wall is stable where Jury's inequalities hold (\\chapter{s4d_jury_counted}). On the "
-        "line, $\\beta=(d+\\frac12)\\alpha-\\delta$, each of them is a polynomial in $\\alpha$. "
+        r"A wall is stable if and only if Jury's inequalities hold (\chapter{s4d_jury_counted}). "
+        r"On the line $\beta=(d+\frac12)\alpha-\delta$ each of them is a polynomial in $\alpha$. "
         "The last one, which contains the largest minor, fails first. Let "
-        "$g=s_1-\\delta-\\frac\\gamma2\\ge0$ be the gap between the start of the boundary and the "
-        "line. Without delay this minor is"
+        r"$g=s_1-\delta-\frac\gamma2\ge0$ be the gap between the start of the boundary and the "
+        "line. Without delay this minor is a difference of two products:"
     )
     total = n_1 + n_0
     *_, minor = jury.criterion(jury.coefficients(0)).expressions
@@ -39,19 +39,24 @@ def derive(page):
         -n_0 * (n_0 + 3 * n_1) / 4,
         name=r"\tfrac12\,\Delta_2''(\alpha)",
     )
-    page.lemma("The gap of an arm is not negative", room(), because="$g(n_1+n_0)$, on all of (23)")
+    page.lemma(
+        "The gap of an arm is not negative",
+        room(),
+        because="the product $g(n_1+n_0)$ is not negative on all of (23)",
+    )
     page.say(
-        r"A concave function that is not negative at the start and is positive at some $\alpha$ "
-        r"is positive for all smaller $\alpha$ on the line. The other inequalities without delay "
-        "are linear on the line. With one period of delay the minor is a cubic. Ball arithmetic "
-        r"shows that it is concave up to $\alpha=0.16$; no stiffer wall is stable. So the stable "
-        "walls of the line end at one wall, its only crossing with the boundary:"
+        r"The minor is not negative at the start of the line, $\alpha=-\gamma$. Since it is "
+        "concave and positive for a stable wall of the line, it is positive for all walls of the "
+        r"line with smaller $\alpha$. The other inequalities without delay are linear on the line. "
+        "With one period of delay the minor is a cubic. Ball arithmetic shows that this cubic is "
+        r"concave up to $\alpha=0.16$; no stiffer wall is stable. So the stable walls of the line "
+        "end at one wall. At this wall the line crosses the boundary, and it does so only once:"
     )
     theorem = as_claimed(page.claim("s4e-unstable-side"), one_crossing())
     page.lemma(
         "If a wall on the line is stable, every less stiff wall on the line is stable",
         theorem,
-        because="for $d=0$ and $d=1$, on all of (23)",
+        because="this holds for $d=0$ and $d=1$ on all of (23)",
         boxed=True,
     )
     witnesses(page)
@@ -59,8 +64,8 @@ def derive(page):
         "s4e-unstable-side",
         theorem,
         example={gamma: S.Zero, delta: S.Zero, x: S.One, alpha: S(2)},
-        note="for $d=0$, $d=1$ and all of (23); without damping the crossing is the origin, and "
-        "all of the line with $\\alpha>0$ is unstable",
+        note="this holds for $d=0$, $d=1$ and all of (23). Without damping the crossing is the "
+        r"origin, and all walls of the line with $\alpha>0$ are unstable",
     )
 
 

@@ -1,8 +1,8 @@
-r"""For which walls is the linear condition safe?
+"""For which walls is the linear condition safe?
 
-Above its crossing with the boundary the walls on the line of (25) are unstable, and below it they
-are stable. We ask whether every wall that satisfies (25) and has no more damping than the crossing
-is stable, inside the ranges (23).
+The line of (25) crosses the boundary once. The stiffer walls on the line are unstable, and the less
+stiff ones are stable. We ask whether every wall is stable that satisfies (25) and has no more
+damping than the crossing, inside the ranges (23).
 """
 
 from symhaptic.book.lemmas.line_crossing import below_the_crossing
@@ -18,36 +18,39 @@ def derive(page):
         (d + Rational(1, 2)) * flat * delta / rise - delta,
         (2 * d**2 + 2 * d + 1) * delta / (2 * (d + 1) * (2 * d + 3)),
         name=r"\beta_\times",
-        because=r"this follows from $\alpha_\times$ found before: a sixth of $\delta$ for $d=0$, "
-        "a quarter for $d=1$, nearly half for long delays",
+        because=r"the line and the stiffness $\alpha_\times$ of \chapter{s4e_line} give the "
+        r"damping $\beta_\times$ of the crossing: a sixth of $\delta$ for $d=0$, a quarter for "
+        "$d=1$, and nearly half for long delays",
     )
     page.say(
         r"The walls that satisfy (25), $\alpha>-\gamma$ and $\beta\le\beta_\times$ form a "
-        "triangle. For each of them there is a stiffer wall of the same damping on the line, which "
-        "is not above the crossing and so is stable. With less stiffness the largest of Jury's "
-        "minors is larger, and the other inequalities hold in the whole triangle."
+        "triangle. For each of them the line has a stiffer wall with the same damping. This wall "
+        "is not stiffer than the crossing, so it is stable. With less stiffness the largest of "
+        "Jury's minors is larger, and the other inequalities hold in the whole triangle."
     )
     claim = safe()
     theorem = as_claimed(claim, below_the_crossing())
     page.lemma(
-        "A wall with (25) and at most the damping of a stable wall on the line is stable",
+        "If a wall on the line is stable, every wall with (25) and at most its damping is stable",
         theorem,
-        because="for $d=0$ and $d=1$, on all of (23)",
+        because="this holds for $d=0$ and $d=1$ on all of (23)",
         boxed=True,
     )
     page.state(
         "linear-safe",
-        "inside (23), for $d=0$ and $d=1$, every wall with (25), $\\alpha>-\\gamma$ and a damping "
-        "not above that of a stable wall on the line is stable",
+        "inside (23), for $d=0$ and $d=1$, every wall is stable that satisfies (25) and "
+        r"$\alpha>-\gamma$ and has at most the damping of a stable wall on the line",
         claim=claim,
     )
     arm = {gamma: Rational(1, 1000), delta: Rational(1, 50)}
     wall = {alpha: Rational(1, 100), beta: -Rational(5, 1000), x: Rational(1, 100)}
     late = {**arm, alpha: wall[x], beta: Rational(3, 2) * wall[x] - arm[delta], d: S.One}
-    page.lemma(r"On the line, with one period of delay, $\alpha=0.01$ is stable", stable_at(late))
+    page.lemma(
+        r"With one period of delay the wall $\alpha=0.01$ on the line is stable", stable_at(late)
+    )
     page.settle(
         "linear-safe",
         theorem,
         example=arm | wall,
-        note="up to the damping $\\beta_\\times$ of the only crossing",
+        note=r"this holds for walls up to the damping $\beta_\times$ of the only crossing",
     )

@@ -2,7 +2,7 @@ r"""Do the stability boundaries of Fig. 11 intersect the passive regions?
 
 Fig. 11 of the paper draws both kinds of boundary in one plane, for $\gamma=0.001$, $\delta=0.02$
 and seven delays, two of them fractions of a period. For integer delays passive walls are stable, by
-\chapter{s5a_passive_is_stable}. What do the curves for $d=\tfrac14$ and $d=\tfrac12$ show?
+\chapter{s5a_passive_is_stable}. We ask what the curves for $d=\tfrac14$ and $d=\tfrac12$ show.
 """
 
 from symhaptic.book.figures.stability import passive_and_stable
@@ -33,28 +33,27 @@ def derive(page):
         passivity.dirichlet_form().subs(wall, simultaneous=True),
         need / (2 * size),
         name=r"\frac{\alpha\sin(d+\frac12)\theta}{2\sin\frac\theta2}-\beta\cos(d+1)\theta",
-        because=r"the delay cancels: this is $\Re\{A/((z-1)N)\}$ for every real $d$, where $z^d$ "
-        r"is "
-        r"read as $e^{jd\theta}$",
+        because=r"the delay cancels for every real $d$ if $z^d$ is read as $e^{jd\theta}$",
     )
     page.say(
-        r"By the energy of \chapter{s5a_passive_is_stable} the right side is larger than $\delta$ "
-        r"for $0<\theta\le\pi$. The curve therefore never enters the passive region, for any "
-        r"stiffness, damping and delay, if fractional delays are read as $z^{-d}=e^{-jd\theta}$."
+        r"By the energy argument of \chapter{s5a_passive_is_stable} this number is larger than "
+        r"$\delta$ for $0<\theta\le\pi$. Therefore the curve never enters the passive region, for "
+        r"any spring, damper and delay, if fractional delays are read as $z^{-d}=e^{-jd\theta}$."
     )
     page.say(
-        "A force with a fractional delay has other boundaries, the solid ones here. They differ "
-        r"from the paper's by 1.6 % of the largest stiffness for $d=\tfrac14$ and by 0.3 % for "
-        r"$d=\tfrac12$. All walls of (27) seem to lie inside: of $4\cdot10^5$ on its border none "
-        "was found unstable. This is evidence and not a proof. The walls of (27) for the next "
-        r"integer delay do lie inside, by \chapter{s6g_next_whole_delay} and "
-        r"\chapter{s6e_fractional_passive_is_stable}."
+        "A loop whose force has a fractional delay has other boundaries, the solid curves in the "
+        r"figure. They differ from the paper's by 1.6 % of the largest stiffness for $d=\tfrac14$ "
+        r"and by 0.3 % for $d=\tfrac12$. All walls of (27) seem to lie inside these boundaries: we "
+        r"tested $4\cdot10^5$ walls of (27), and all are stable. This is evidence and not a proof. "
+        "It is proved that the walls of (27) for the next integer delay lie inside, by "
+        r"\chapter{s6g_next_whole_delay} and \chapter{s6e_fractional_passive_is_stable}."
     )
     page.figure(
         "fig11",
         "Fig. 11 of the paper: stable walls (solid) and passive walls (dashed), for "
-        "$\\gamma=0.001$, $\\delta=0.02$; (b) is the framed part of (a). Dotted: the paper's "
-        "reading of $d=\\frac14$ and $d=\\frac12$. Dash-dotted: the largest stable stiffness.",
+        r"$\gamma=0.001$, $\delta=0.02$; (b) is the framed part of (a). The dotted curves follow "
+        r"the paper's reading of $d=\frac14$ and $d=\frac12$. The dash-dotted curve is the largest "
+        "stable stiffness.",
         passive_and_stable,
         panels=(1, 2),
         height=0.62,
@@ -64,32 +63,32 @@ def derive(page):
 
 def _settled(page):
     page.lemma(
-        r"The walls of the curve (27) for $\delta=0.02$ are on the boundary of the passive ones, "
-        "and above its corner there are no others",
+        r"For $\delta=0.02$ the curve (27) bounds the passive walls, and above its corner every "
+        "wall of the boundary is on it",
         passive_curve(dashed()),
-        because=r"up to $\hat\omega=\pi/(d+1)$ and for integer delays, as in Fig. 4",
+        because=r"this holds up to $\hat\omega=\pi/(d+1)$ and for integer delays, as in Fig. 4",
     )
     page.lemma(
-        "The walls of the other curve have a zero on the circle, and none of them is stable",
+        "The walls of the explicit boundary have a zero on the circle, and none of them is stable",
         stable_curve(),
-        because="with integer delays",
+        because="this holds for integer delays",
     )
     page.lemma(
-        "Walls that the boundaries enclose with a stable one are stable",
+        "If no boundary separates a wall from a stable wall, it is stable",
         enclosed_walls_are_stable(),
-        because="for integer delays, as in Fig. 9",
+        because="this holds for integer delays, as in Fig. 9",
     )
     page.lemma(
         "A passive wall is stable with a damped device with a spring, for every delay",
         held_passive_is_stable(),
-        because="the stiffness of a passive wall is not negative; then by the energy of "
-        "\\chapter{s6e_fractional_passive_is_stable}",
+        because="the stiffness of a passive wall is not negative, so the energy argument of "
+        r"\chapter{s6e_fractional_passive_is_stable} applies",
     )
     page.settle(
         "fig11",
         in_one_plane(),
         note=r"the text does not say which polynomial the solid curves for $d=\tfrac14$ and "
-        r"$d=\tfrac12$ belong to, so that of these delays only the last lemma is claimed. One "
+        r"$d=\tfrac12$ belong to. Therefore only the last lemma is claimed for these delays. One "
         r"$\delta$ stands for passivity and stability; for a device with an arm the passive "
         r"regions drawn here are at least 32 times too large (\texttt{one-delta-figures})",
     )

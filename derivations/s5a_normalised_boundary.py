@@ -19,20 +19,20 @@ def derive(page):
     line = line.subs({K: alpha * m / T**2, B: beta * m / T}).subs(scaled)
     free = page.free_of("the line", line, T, m)
     page.say(
-        "We multiply the envelope of the passive walls by $T^2/m$ and $T/m$. Mass and period then "
-        f"drop out of the line of each frequency ({free.method}), and so out of the envelope. Both "
-        "coordinates are proportional to $\\delta$."
+        "We multiply the envelope of the passive walls by $T^2/m$ and $T/m$. The line of each "
+        f"frequency then does not contain mass and period ({free.method}), nor does the envelope. "
+        r"Both coordinates are proportional to $\delta$."
     )
     page.step(
-        "The condition at one frequency is bounded by a line",
+        "A line bounds the condition at one frequency",
         line,
         delta - passivity.dirichlet_form(omega_hat).subs({K: alpha, B: beta, T: 1}),
         name=r"\tfrac{T}{m}(b-b_{\min})",
     )
     page.say(
         r"As in physical units, the curve is the boundary for $0<\hat\omega\le\pi/(d+1)$ and "
-        r"$d>0$. Beyond, up to $\pi$, it is not on the border of the passive region; for some "
-        r"delays, such as $d=\tfrac14$, it has a pole there."
+        r"$d>0$. At larger angles, up to $\pi$, the curve is not on the border of the passive "
+        r"region. For some delays, such as $d=\tfrac14$, it has a pole at one of these angles."
     )
     _boundary(page, Eq(alpha, in_plane[0]), Eq(beta, in_plane[1]))
 
@@ -45,13 +45,14 @@ def _boundary(page, *forms):
     on_it = page.lemma(
         "A wall of (27), in SI units, is passive, and requires exactly the damping $b$",
         in_units(),
-        because="it is the wall of (7) with $\\omega=\\hat\\omega/T$",
+        because=r"the wall is that of (7) with $\omega=\hat\omega/T$",
         boxed=True,
     )
     above = page.lemma(
-        "With a delay, above the corner, the boundary has no other walls",
+        "With a delay the walls of (27) are all of the boundary above the corner",
         above_in_units(others.of[1]),
-        because="by \\chapter{s3b_rise} they are walls of (7), at $\\hat\\omega=\\omega T$ of (27)",
+        because=r"by \chapter{s3b_rise} the walls of the boundary satisfy (7), which is (27) at "
+        r"$\hat\omega=\omega T$",
         boxed=True,
     )
     found = conj(
@@ -73,7 +74,8 @@ def _boundary(page, *forms):
         shows=r"for $d=1$, $\hat\omega=\tfrac23\pi$ (27) gives $(-4,2)\,\delta$: it has a negative "
         "stiffness",
         note=r"without delay (27) is the single point $(2\delta,0)$, and the rest of the boundary "
-        "is (6); for other $d>0$ it bounds the walls of (5); larger angles bound nothing",
+        "is (6); for $d>0$ (27) bounds the walls of (5), and its walls at larger angles are not on "
+        "the boundary",
     )
 
 

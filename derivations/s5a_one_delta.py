@@ -1,8 +1,7 @@
 r"""Can one damping describe a device with an arm, for passivity and for stability?
 
-By (2) the damping of the loop is that of device and arm together. By (3) the damping that counts
-for passivity is that of the device alone. Figs. 11 to 13 and the ratio $\eta$ use one $\delta$ for
-both.
+By (2) the damping of the loop is the sum of the dampings of device and arm. By (3) only the damping
+of the device counts for passivity. Figs. 11 to 13 and the ratio $\eta$ use one $\delta$ for both.
 """
 
 from symhaptic.book.lemmas.near_tip import CLOSE, none_above, wall_below
@@ -45,8 +44,14 @@ def derive(page):
         r"wall: $\alpha=KT^2/(m_D+m_H)$ and $\beta=BT/(m_D+m_H)$. In these units the damping of "
         r"the loop is $\delta$, and that of the device is $\delta_D$:"
     )
-    page.define("Damping of device and arm", delta, T * (b_D + b_H) / (m_D + m_H))
-    page.define("Damping of the device", r"\delta_D", T * b_D / (m_D + m_H))
+    page.define(
+        r"The parameter $\delta$ is the damping of device and arm",
+        delta,
+        T * (b_D + b_H) / (m_D + m_H),
+    )
+    page.define(
+        r"The parameter $\delta_D$ is the damping of the device", r"\delta_D", T * b_D / (m_D + m_H)
+    )
     page.lemma(
         "The wall meets (5) with the damping $b_D$ of (3) if and only if it meets (5) in the "
         "normalised plane with $\\delta_D$",
@@ -55,9 +60,9 @@ def derive(page):
     )
     page.say(
         r"So the passive walls of a device with an arm are those that (5) gives for $\delta_D$. "
-        r"The region that (5) gives for $\delta$ is larger by the factor $1+b_H/b_D$ in each "
-        "direction. A passive wall is stable nevertheless, and some stable walls are stiffer by "
-        "this factor than every passive wall."
+        r"The region that (5) gives for $\delta$ is $1+b_H/b_D$ times as large in each direction. "
+        "A passive wall is still stable, and some stable walls are this factor stiffer than every "
+        "passive wall."
     )
     page.lemma(
         "A wall with $K>0$ that meets (5) with the damping of the device is stable with every arm",
@@ -75,8 +80,8 @@ def derive(page):
     )
     page.say(
         r"So $\eta\le b_D/(b_D+b_H)$ for every integer delay. The ratio comes near 1 only for an "
-        "arm without damping. The number 0.9998 that Fig. 12 reaches at $d=40$ describes no "
-        "device with a damped arm."
+        "arm without damping. Fig. 12 reaches a ratio of 0.9998 at $d=40$, but no device with a "
+        "damped arm has this ratio."
     )
     numbers(page)
     page.settle(
@@ -92,9 +97,9 @@ def derive(page):
         unless=[counterexample_of()],
         shows=r"a device of 1 kg and 0.625 Ns/m in an arm of 1 kg and 14.6 Ns/m, $T=1$ ms and "
         r"$K=10\,000$ N/m: (5) holds with $\delta$ and fails with $b_D$",
-        note="right for an arm without damping. It remains true that passive walls are stable "
-        "with every spring, and that the ratio of stable to passive stiffness exceeds 17.8 "
-        r"at $d=0$ and 9.3 at $d=1$. It is not true that $\eta$ comes near 1, and the passive "
+        note="the figures are right for an arm without damping. It remains true that passive walls "
+        "are stable with every spring, and that the ratio of stable to passive stiffness exceeds "
+        r"17.8 at $d=0$ and 9.3 at $d=1$. It is not true that $\eta$ comes near 1, and the passive "
         "regions of Figs. 11 and 13 are too large",
     )
 
@@ -102,9 +107,9 @@ def derive(page):
 def numbers(page):
     """An arm at the limits of (21), and the figures."""
     page.say(
-        "An example at the limits of the paper: $b_D/m_D=0.625\\,\\mathrm s^{-1}$, "
-        "$b_H/m_H=14.6\\,\\mathrm s^{-1}$, $k_H/m_H=710\\,\\mathrm s^{-2}$, $m_D=m_H$ and "
-        "$T=1$ ms. Then $\\gamma=0.000355$, $\\delta=0.0076125$ and $\\delta_D=0.0003125$."
+        r"Take an example at the limits of the paper: $b_D/m_D=0.625\,\mathrm s^{-1}$, "
+        r"$b_H/m_H=14.6\,\mathrm s^{-1}$, $k_H/m_H=710\,\mathrm s^{-2}$, $m_D=m_H$ and $T=1$ ms. "
+        r"Then $\gamma=0.000355$, $\delta=0.0076125$ and $\delta_D=0.0003125$."
     )
     page.state(
         "one-delta-ratio",
@@ -126,20 +131,23 @@ def numbers(page):
         claim=claim,
     )
     page.settle("one-delta-figures", drawn_too_large(), example=easy(claim))
-    page.say("The two ratios of Sec. V-B remain true, since they become larger:")
+    page.say(
+        "The two bounds of Sec. V-B for the ratio remain true, since the ratio becomes larger:"
+    )
     claim = still_true()
     page.state(
         "one-delta-kept",
-        "on all of (23), with any damping of the device up to that of device and arm, some stable "
-        "wall is more than 17.8 times as stiff as all passive walls at $d=0$, and more than 9.3 "
-        "times at $d=1$",
+        "on all of (23), if the damping of the device is at most that of device and arm, some "
+        "stable wall is more than 17.8 times as stiff as all passive walls at $d=0$, and more than "
+        "9.3 times as stiff at $d=1$",
         claim=claim,
     )
     page.settle("one-delta-kept", ratios_kept(), example=easy(claim))
     page.say(
-        "To tune a device, use $b_D$ for passivity and $b_D+b_H$ for stability. With the damping "
-        "of the arm in (5), walls that are $1+b_H/b_D$ times too stiff appear to be passive: 24 "
-        "times in the example. Such a wall can deliver energy as soon as the grip loosens."
+        "To tune a device, use $b_D$ for passivity and $b_D+b_H$ for stability. If $b$ in (5) "
+        "includes the damping of the arm, walls that are $1+b_H/b_D$ times too stiff appear to be "
+        "passive. In the example this factor is 24. Such a wall can deliver energy as soon as the "
+        "grip loosens."
     )
 
 

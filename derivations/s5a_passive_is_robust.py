@@ -41,8 +41,9 @@ def _robust(page):
         example=(wall, shown(wall)),
         unless={stiff: (drift, shown(drift), shaken)},
         shows="without any stiffness the device drifts",
-        note="it holds for every passive wall with stiffness if the device has a damper, and for "
-        r"every $\gamma\ge0$, also beyond the Nyquist frequency",
+        note="the statement holds for every passive wall with stiffness if the device has a "
+        r"damper, and for every $\gamma\ge0$, also if the natural frequency is above the Nyquist "
+        "frequency",
     )
 
 
@@ -50,12 +51,12 @@ def _scaled(page):
     """(5) is linear in the wall and the damper."""
     need = passivity.dirichlet_form()
     page.step(
-        "The required damping is proportional to the wall",
+        "The required damping is proportional to stiffness and damping of the wall",
         need.subs({K: y * K, B: y * B}, simultaneous=True),
         y * need,
         name=r"b_{\min}(yK,yB)",
-        because="the condition is linear in the wall: with $y$ times the damping, $y$ times the "
-        "wall is passive",
+        because="the condition is linear in the wall: if the damping is multiplied by $y$, the "
+        "wall multiplied by $y$ is passive",
     )
     _, given, scaled = taken_apart(page.claim("s5a-proportional"))
     small, large = scaled.of

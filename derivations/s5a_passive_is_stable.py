@@ -1,7 +1,7 @@
 """Is a passive wall stable, whatever the delay?
 
-Passivity is about energy, stability about roots. Both conditions contain the delay, but for a root
-on the unit circle it cancels, and the device alone decides.
+Passivity is a condition on energies, and stability is a condition on roots. Both conditions contain
+the delay. For a root on the unit circle the delay cancels, and the device alone decides.
 """
 
 from symhaptic.book.figures.arguments import sides
@@ -21,19 +21,19 @@ from symhaptic.paper.propositions.comparison import passive
 
 def derive(page):
     page.say(
-        "In units of mass and period let $P=N/A$ be the sampled device, $A=z^2-az+e$ and "
-        r"$N=n_1z+n_0$, and $W(z)=(\alpha+\beta(1-1/z))z^{-d}$ the wall with its delay. A root of "
-        "the loop has $1+PW=0$, so there the wall is $W=-1/P$, and the margin of passivity, "
-        r"$\delta+\Re\{W/(z-1)\}$, becomes $\delta-\Re\{1/((z-1)P)\}$: it no longer contains the "
-        r"delay, $\alpha$ and $\beta$. Let a held force $F$ drive the device in a steady state "
-        r"that is multiplied by $z=e^{j\theta}$ per period."
+        "We use units of mass and period. Let $P=N/A$ be the sampled device with $A=z^2-az+e$ and "
+        r"$N=n_1z+n_0$, and let $W(z)=(\alpha+\beta(1-1/z))z^{-d}$ be the wall with its delay. At "
+        "a root of the loop $1+PW=0$, so that $W=-1/P$. The margin of passivity, "
+        r"$\delta+\Re\{W/(z-1)\}$, becomes $\delta-\Re\{1/((z-1)P)\}$ there, and no longer "
+        r"contains the delay, $\alpha$ and $\beta$. Let a held force $F$ drive the device in a "
+        r"steady state that is multiplied by $z=e^{j\theta}$ per period."
     )
     page.step(
-        "The work is stored or dissipated",
+        "The work of the force is stored or dissipated",
         v * (F - delta * v - gamma * x) + gamma * x * v,
         F * v - delta * v**2,
         name=r"\tfrac{d}{dt}\,\tfrac12(v^2+\gamma x^2)",
-        because="Newton's law is $\\dot v=F-\\delta v-\\gamma x$, and $\\dot x=v$",
+        because=r"by Newton's law $\dot v=F-\delta v-\gamma x$, and $\dot x=v$",
     )
     page.step(
         "For a given displacement the damper dissipates least at constant speed",
@@ -49,10 +49,10 @@ def derive(page):
         "constant",
     )
     page.say(
-        r"Divided by $|(z-1)N|^2$ this is $\delta<\Re\{1/((z-1)P)\}$. Now take a wall $W$ that "
-        r"meets (5) and scale it from zero, $yW$ with $0<y\le1$. A root of the loop at "
-        r"$e^{j\theta}$ has $1/P=-yW$, so that $\delta+y\Re\{W/(z-1)\}<0$. But that is "
-        r"$(1-y)\delta$ and $y$ times the margin, and neither is negative."
+        r"Divided by $|(z-1)N|^2$ the inequality is $\delta<\Re\{1/((z-1)P)\}$. Now take a wall "
+        r"$W$ that satisfies (5) and scale it from zero: $yW$ with $0<y\le1$. At a root of the "
+        r"loop on the circle $1/P=-yW$, so that $\delta+y\Re\{W/(z-1)\}<0$. But this number is the "
+        r"sum of $(1-y)\delta$ and $y$ times the margin, and neither of them is negative."
     )
     page.lemma(
         "No root crosses the circle while the wall is scaled from zero to $W$",
@@ -63,19 +63,20 @@ def derive(page):
     )
     page.figure(
         "sides",
-        "Upper half circle: where a root is on it, wall and device meet. The device stays on the "
-        r"left of $-\delta$, and a passive wall on its right, for every scale ($\gamma=0.05$, "
-        r"$\delta=0.4$, one period of delay).",
+        "The curves of wall and device over the upper half circle. They meet at an angle at which "
+        r"a root lies on the circle. The curve of the device stays to the left of $-\delta$. For "
+        r"every scale that of a passive wall stays to the right ($\gamma=0.05$, $\delta=0.4$, one "
+        "period of delay).",
         sides,
         height=0.5,
     )
     page.lemma(
         "A wall with a margin at every angle is stable with every spring and damper",
         passive_is_stable(),
-        because=r"$\mathrm{stable}$ refers to the exact loop, and $\mathrm{stable}_{(18)}$ to "
-        "the roots of (18); for integer delays both are the same. Zeros are continuous in the "
-        "coefficients. Without a wall those of a damped device with a spring lie inside. Without "
-        "a spring one lies at 1, and a small stiffness moves it inside",
+        because=r"$\mathrm{stable}$ refers to the exact loop, and $\mathrm{stable}_{(18)}$ to the "
+        "roots of (18); for integer delays both are the same. Zeros are continuous in the "
+        "coefficients. Without a wall the zeros of a damped device with a spring lie inside. "
+        "Without a spring one zero lies at 1, and a small stiffness moves it inside",
         boxed=True,
     )
     _subset(page)
@@ -83,8 +84,8 @@ def derive(page):
 
 def _subset(page):
     page.say(
-        "This is the proof for integer delays, where (5) and (18) are exact. For other delays "
-        r"the held force itself is considered, as in \chapter{s6e_fractional_passive_is_stable}."
+        "This is the proof for integer delays, for which (5) and (18) are exact. For other delays "
+        r"the proof uses the held force itself, as in \chapter{s6e_fractional_passive_is_stable}."
     )
     exact, computed = page.claim("s5a-subset").of
     arm = {gamma: STIFF, delta: DAMPED}
@@ -101,7 +102,8 @@ def _subset(page):
     page.settle(
         "s5a-subset",
         conj(as_claimed(exact, first), as_claimed(computed, second)),
-        note="the first is for the held force and every real delay, the second for (5) and (18)",
+        note="the first theorem is about the held force and every real delay, the second about (5) "
+        "and (18)",
     )
     _every_arm(page)
 
@@ -128,5 +130,5 @@ def _every_arm(page):
         },
         shows="with a passive wall without stiffness a free mass drifts, and without a damper a "
         "spring oscillates for ever",
-        note="by the energy of the held force, for every real delay",
+        note="the proof uses the energy of the held force and holds for every real delay",
     )

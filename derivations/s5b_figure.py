@@ -1,8 +1,8 @@
 r"""Is the largest stable stiffness ever equal to the largest passive one?
 
 Fig. 12 of the paper draws both over the delay, and the ratio $\eta$ of the passive to the stable
-one. Stable walls are stiffer, but the ratio comes close to one. We study this delay and longer
-ones.
+one. The largest stable stiffness is larger, but at one delay the ratio comes close to one. We study
+this delay and longer ones.
 """
 
 import itertools
@@ -32,54 +32,54 @@ from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
 def derive(page):
     quarter = {d: pi / (2 * theta) - 1}
     page.say(
-        "At the angle $\\theta=\\pi/(2(d+1))$ the damping of the wall drops out of the passivity "
-        "condition, which bounds the stiffness alone:"
+        r"At the angle $\theta=\pi/(2(d+1))$ the passivity condition does not contain the damping "
+        "of the wall, so that it bounds the stiffness alone:"
     )
     page.step(
         r"At $(d+1)\theta=\frac\pi2$ the required damping does not contain $\beta$",
         passivity.dirichlet_form().subs({K: alpha, T: S.One}).subs(quarter),
         alpha / (2 * tan(theta / 2)),
         name=r"\frac{\alpha\sin(d+\frac12)\theta}{2\sin\frac\theta2}-\beta\cos(d+1)\theta",
-        because="so $\\alpha\\le2\\delta\\tan\\frac\\theta2$, and (11) is the wall that attains it",
+        because=r"so $\alpha\le2\delta\tan\frac\theta2$, and the wall (11) attains this bound",
     )
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
     stiffness, _ = boundary.solved(on_circle(-(z**d) * bottom / top))
     size = n_1**2 + n_0**2 + 2 * n_1 * n_0 * cos(theta)
     need = (1 + a - e) * n_1 + (1 - a - e) * n_0 + 2 * (n_0 - e * n_1) * cos(theta)
     tip = page.step(
-        "The stability boundary has this stiffness there",
+        r"At $(d+1)\theta=\frac\pi2$ the stability boundary has this stiffness",
         stiffness.subs(quarter),
         tan(theta / 2) * need / size,
         name=alpha,
-        because="this is the passive bound with $\\Re\\{A/((z-1)N)\\}$ in place of $\\delta$",
+        because=r"the stiffness is the passive bound with $\Re\{A/((z-1)N)\}$ in place of $\delta$",
     )
     bare = plant.numbers(S.Zero, delta)
     page.limit(
-        "Without a spring the bound exceeds that of passivity in the second order",
+        "Without a spring the bound exceeds that of passivity by a term of second order",
         (tip.subs(bare) / (2 * delta * tan(theta / 2)) - 1) / theta**2,
         theta,
         S.Zero,
         (delta * (exp(delta) + 1) - 2 * (exp(delta) - 1)) / (2 * delta**2 * (exp(delta) - 1)),
         name=r"\frac1{\theta^2}\Bigl(\frac{\alpha}{2\delta\tan\frac\theta2}-1\Bigr)",
-        because=r"the limit is about $\tfrac1{12}$: if the tip of the stable region has exactly "
+        because=r"the limit is about $\tfrac1{12}$; if the tip of the stable region has exactly "
         r"this angle, the ratio $\eta$ is about $1-\theta^2/12$",
     )
     page.say(
-        "So they are never equal. The passive wall of maximum stiffness is stable, and so is a "
-        r"slightly stiffer one: $\eta<1$ for every integer delay. For $\delta=0.02$ the tip has "
-        r"that angle near $d=122$ without a spring and near $d=40$ with $\gamma=0.001$. There "
-        r"$\eta$ exceeds $0.9999$ and $0.9998$, which looks like 1 in a figure. For longer delays "
-        "the angle of the tip increases:"
+        "So the two largest stiffnesses are never equal. The passive wall of maximum stiffness is "
+        r"stable, and so is a slightly stiffer one: $\eta<1$ for every integer delay. For "
+        r"$\delta=0.02$ the tip has the angle $\pi/(2(d+1))$ near $d=122$ without a spring, and "
+        r"near $d=40$ with $\gamma=0.001$. At these delays $\eta$ exceeds $0.9999$ and $0.9998$, "
+        "so it looks like 1 in a figure. For longer delays the angle of the tip increases:"
     )
     far = symbols("u")
     page.limit(
-        "Without a spring the stiffness falls with a long delay like its inverse",
+        "Without a spring the stable stiffness falls like the inverse of a long delay",
         stiffness.subs(bare).subs({theta: phi * far}).subs(d, 1 / far - 1) / far,
         far,
         S.Zero,
         delta * phi * sin(phi),
         name=r"\frac{1}{u}\alpha\big|_{\theta=\varphi u}",
-        because=r"with $u=1/(d+1)$ and $\theta=\varphi u$: the limit does not contain the mass",
+        because=r"here $u=1/(d+1)$ and $\theta=\varphi u$; the limit does not contain the mass",
     )
     page.limit(
         "The passive wall of maximum stiffness falls like the inverse of the delay",
@@ -90,17 +90,18 @@ def derive(page):
         name=r"\frac{2\delta\tan\frac{\pi u}{4}}{u}",
     )
     page.say(
-        r"This limit equals the stable one at $\varphi=\tfrac\pi2$, but $\varphi\sin\varphi$ "
-        r"increases to $1.8197$ at $\varphi=2.029$: without a spring $\eta$ falls towards "
-        r"$\tfrac\pi2/1.8197=0.863$. With a spring it falls to 0, since some walls are stable for "
-        "every delay:"
+        r"The passive limit equals the stable limit at $\varphi=\tfrac\pi2$, but "
+        r"$\varphi\sin\varphi$ increases to $1.8197$ at $\varphi=2.029$. So without a spring "
+        r"$\eta$ falls towards $\tfrac\pi2/1.8197=0.863$. With a spring $\eta$ falls to 0, since "
+        "some walls are stable for every delay:"
     )
     page.lemma(
-        r"For $\gamma=0.001$, $\delta=0.02$ the wall $\alpha=0.00059$, $\beta=0$ is stable for "
-        "every integer delay",
+        r"The wall $\alpha=0.00059$, $\beta=0$ is stable for every integer delay if "
+        r"$\gamma=0.001$, $\delta=0.02$",
         stable_behind_every_delay(),
-        because="all around the circle the device's part of the polynomial is larger than the "
-        "wall's, $|A|>\\alpha|N|$, so that as many roots lie inside as without the wall: all",
+        because="everywhere on the circle the device's part of the polynomial is larger than the "
+        r"wall's, $|A|>\alpha|N|$. So as many roots lie inside as without the wall, and these are "
+        "all roots",
     )
     page.figure(
         "fig12",
@@ -111,23 +112,24 @@ def derive(page):
         height=0.44,
     )
     page.say(
-        "Each of the drawn values is enclosed: from below by a stable wall next to the tip, from "
-        "above by one point of the circle. For a polynomial $p$ of degree $n$ with its zeros "
-        "inside, $n|p|^2<2\\Re\\bar p\\,zp'$ there, and at the tip's angle this is false for all "
-        "stiffer walls:"
+        "Each of the drawn values has a lower and an upper bound. A stable wall next to the tip "
+        "gives the lower bound, and one point $z$ of the circle gives the upper bound: a "
+        r"polynomial $p$ of degree $n$ with all zeros inside satisfies $n|p|^2<2\Re\bar p\,zp'$ at "
+        "$z$. At the tip's angle this inequality is false for all stiffer walls:"
     )
     for spring, delays in PEAKS.items():
         page.lemma(
-            f"All stable walls are softer for $d={delays[-1]}$, $\\gamma={float(spring):g}$",
+            f"One stiffness exceeds that of all stable walls for $d={delays[-1]}$, "
+            rf"$\gamma={float(spring):g}$",
             none_above((spring, DAMPED), delays[-1])[1],
         )
     page.settle(
         "fig12",
         drawn(),
-        note="settled for integer delays: (a) at five delays, those of Fig. 11; (b) and (c) from "
-        "one delay of a list to the next, up to 122 and 40, and at 1000. The ratio comes "
-        r"near 1, stays below it and falls again. One $\delta$ stands for passivity and "
-        r"stability: for a device with an arm $\eta\le b_D/(b_D+b_H)$ (\texttt{one-delta})",
+        note="this is proved for integer delays: for (a) at the five delays of Fig. 11; for (b) "
+        "and (c) between the delays of a list, up to 122 and 40, and at 1000. The ratio comes near "
+        r"1, stays below 1 and falls again. One $\delta$ stands for passivity and stability: for a "
+        r"device with an arm $\eta\le b_D/(b_D+b_H)$ (\texttt{one-delta})",
     )
 
 

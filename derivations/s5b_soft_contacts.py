@@ -1,7 +1,7 @@
 """Can the stiffness of a stable wall always be reduced?
 
-For a soft contact the paper lowers the virtual stiffness down to zero and expects no loss of
-stability. We keep the virtual damping and ask for which walls this is so.
+For a soft contact the paper reduces the virtual stiffness down to zero and expects no loss of
+stability. We keep the virtual damping constant and ask which walls stay stable.
 """
 
 from symhaptic.book.lemmas.chords import PI
@@ -19,46 +19,46 @@ from symhaptic.proof.theorems.definitions import loop_substituted
 
 def derive(page):
     margin = passivity.margin()
-    page.say("For passive walls it is true. The margin of (5) is linear in the stiffness:")
+    page.say("Passive walls stay stable. The margin of (5) is linear in the stiffness:")
     softer = page.step(
-        "With a share $y$ of the stiffness the margin is a mean of two",
+        "With a share $y$ of the stiffness the margin is a weighted mean of two margins",
         margin.subs(K, y * K),
         y * margin + (1 - y) * (b + B * cos((d + 1) * theta)),
         name="F(yK,B)",
     )
     without = page.step(
-        "Without stiffness the margin is not negative",
+        "Without stiffness the margin of a passive wall is not negative",
         b + B * cos((d + 1) * theta),
         (b + B) * (1 + cos((d + 1) * theta)) / 2 + (b - B) * (1 - cos((d + 1) * theta)) / 2,
         name="F(0,B)",
-        because=r"this holds since a passive wall has $-b\le B\le b$",
+        because=r"a passive wall has $-b\le B\le b$",
     )
     page.same("softer", softer, margin.subs(K, y * K))
     page.same("ends", without, margin.subs(K, 0))
     page.say(
-        r"So with $0\le y\le1$ the wall of stiffness $y\alpha$ is passive too, and by "
-        r"\chapter{s5a_passive_is_stable} stable, for $\delta>0$ and integer delays as long as "
-        r"$\alpha+\gamma>0$. (Without any stiffness, $\alpha=\gamma=0$, a root lies at 1.)"
+        r"So with $0\le y\le1$ the wall of stiffness $y\alpha$ is also passive. By "
+        r"\chapter{s5a_passive_is_stable} it is stable for $\delta>0$ and integer delays as long "
+        r"as $y\alpha+\gamma>0$. (Without any stiffness, $y\alpha=\gamma=0$, a root lies at 1.)"
     )
     page.lemma(
-        "With less stiffness the margin stays at every angle",
+        "With less stiffness the margin stays non-negative at every angle",
         stays_passive(),
         because=r"at $\theta\to0$ and $\theta=\pi/(d+1)$ the condition is $|\beta|\le\delta$",
     )
     page.say(
-        "For other walls it is false: the virtual damping alone may be unstable with the delay. "
-        r"Inside (23) this occurs for long delays: $\gamma=0.001$, $\delta=0.02$, $\beta=0.0252$ "
-        "and $d=150$."
+        "Other walls may become unstable, because the virtual damper alone may be unstable with "
+        r"the delay. Inside (23) this occurs for long delays, such as $d=150$ with $\gamma=0.001$, "
+        r"$\delta=0.02$ and $\beta=0.0252$:"
     )
     arm = {gamma: Rational(1, 1000), delta: Rational(1, 50), beta: Rational("0.0252"), d: S(150)}
     soft = {**arm, alpha: Rational(1, 5000), y: S.Zero}
-    page.lemma("The wall with $\\alpha=0.0002$ is stable", stands(soft))
-    page.lemma("Without the stiffness $\\alpha=0.0002$ it is not stable", falls(soft))
-    page.say("With stiff springs, as in Fig. 13, two periods are enough:")
+    page.lemma(r"With 150 periods of delay the wall with $\alpha=0.0002$ is stable", stands(soft))
+    page.lemma(r"Without the stiffness $\alpha=0.0002$ the same wall is not stable", falls(soft))
+    page.say("With stiff springs, as in Fig. 13, two periods of delay are sufficient:")
     spring = {gamma: S(3), delta: Rational(1, 50), beta: Rational("0.47"), d: S(2)}
     spring |= {alpha: Rational(3, 10), y: S.Zero}
-    page.lemma(r"With this spring the wall with $\alpha=0.3$ is stable", stands(spring))
-    page.lemma("Without the stiffness $\\alpha=0.3$ it is not stable", falls(spring))
+    page.lemma(r"With a stiff spring the wall with $\alpha=0.3$ is stable", stands(spring))
+    page.lemma(r"Without the stiffness $\alpha=0.3$ the same wall is not stable", falls(spring))
     held, below = proposition(y * alpha + gamma > 0), passive()
     stable = conjunct(passive_is_stable(), STABLE)
     softened = closed(inst(stable, {alpha: y * alpha}), stays_passive())
@@ -75,9 +75,9 @@ def derive(page):
             held: (drifting, *(stands(drifting), falls(drifting), met(drifting, [S.Half]))),
         },
         shows=r"$\beta=0.0252$ and 150 periods of delay: stable with $\alpha=0.0002$, not with 0",
-        note=r"a passive wall with $K\ge0$ requires $\delta>0$. Shown for integer delays; without "
-        "delay the wall need not be passive. Inside (23) no counterexample was found for delays "
-        "up to 75 periods",
+        note=r"the statement is true for a passive wall with $K\ge0$ if $\delta>0$. This is proved "
+        "for integer delays; without delay the wall need not be passive. Inside (23) a search up "
+        "to 75 periods of delay gives no counterexample",
     )
 
 

@@ -1,7 +1,7 @@
 r"""Can the stiffness of a stable wall always be reduced without delay?
 
-With a delay a stable wall can become unstable when its stiffness is reduced at constant damping,
-see \chapter{s5b_soft_contacts}. We ask for which arms this cannot happen without delay.
+With a delay a stable wall can become unstable if its stiffness is reduced at constant damping
+(\chapter{s5b_soft_contacts}). We ask for which arms this cannot happen without delay.
 """
 
 from symhaptic.book.lemmas.arm_numbers import pushed
@@ -16,9 +16,10 @@ IN_WIDE = r"0\le\gamma\le0.01,\ 0\le\delta\le0.1"
 
 def derive(page):
     page.say(
-        r"Without delay Jury's inequalities decide. Again $1-a+e=\gamma(n_1+n_0)$ and "
-        r"$(n_1+n_0)s_1=1-e+\gamma n_0$; a stable wall has $1+n_1\beta>0$ by "
-        r"\chapter{s4d_jury_explicit}, and $|n_0\beta|<1$ as the product of its roots:"
+        r"Without delay Jury's inequalities decide. The device satisfies $1-a+e=\gamma(n_1+n_0)$ "
+        r"and $(n_1+n_0)s_1=1-e+\gamma n_0$. A stable wall has $1+n_1\beta>0$ by "
+        r"\chapter{s4d_jury_explicit}, and $|n_0\beta|<1$ since $n_0\beta$ is the product of its "
+        "roots:"
     )
     arm = {a: 1 + e - gamma * RISE}
     loss = {e: 1 - RISE * s_1 + gamma * n_0}
@@ -26,7 +27,10 @@ def derive(page):
         f.subs(arm).subs(loss) for f in jury.criterion(jury.coefficients(0)).expressions
     )
     page.step(
-        "The polynomial at 1 grows with the stiffness", first, RISE * (alpha + gamma), name="p_1(1)"
+        "The value of the polynomial at 1 grows with the stiffness",
+        first,
+        RISE * (alpha + gamma),
+        name="p_1(1)",
     )
     page.step(
         "The second inequality holds for $\\beta>-s_1$",
@@ -50,8 +54,9 @@ def derive(page):
     )
     page.lemma(r"A device with $\omega_dT<\pi$ has $n_0\le n_1$", pushed()[2])
     page.say(
-        r"So all four stay positive while $\alpha$ falls, down to $-\gamma$. With one period of "
-        r"delay it is false for a stiff spring: $\gamma=5$, $\delta=\frac12$, $\beta=-2.5$."
+        r"So all four inequalities stay true while $\alpha$ falls, down to $-\gamma$. With one "
+        "period of delay a wall can become unstable if the arm has a stiff spring, such as "
+        r"$\gamma=5$ with $\delta=\frac12$, $\beta=-2.5$:"
     )
     stiff = {beta: -Rational(5, 2), gamma: S(5), delta: S.Half, d: S.One}
     page.lemma(
@@ -60,8 +65,8 @@ def derive(page):
         stable_at({**stiff, alpha: S(4)}),
     )
     page.lemma(
-        r"With this spring the wall with $\alpha=0$, $\beta=-2.5$ is not stable with one period "
-        "of delay",
+        r"With the stiff spring the wall with $\alpha=0$, $\beta=-2.5$ is not stable with one "
+        "period of delay",
         unstable_at({**stiff, alpha: S.Zero}),
     )
     stated = claim()
@@ -70,7 +75,7 @@ def derive(page):
     page.lemma(
         r"Without delay a stable wall stays stable at any smaller stiffness above $-\gamma$",
         theorem,
-        because="by the four inequalities, on all of this range",
+        because="the four inequalities prove this on all of this range",
         boxed=True,
     )
     page.state(

@@ -1,8 +1,8 @@
 """How large is the stable stiffness without delay, compared with the passive one?
 
-Without delay the characteristic polynomial is a cubic, also with the spring of an arm. Its largest
-stable stiffness has a closed form, and the paper's first ratio, 17.8 for $d=0$, is decided on the
-whole range (23).
+Without delay the characteristic polynomial is a cubic, with and without the spring of an arm. The
+largest stable stiffness has a closed form. This form proves the paper's first ratio, 17.8 for
+$d=0$, on the whole range (23).
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -24,14 +24,17 @@ def derive(page):
     minor = jury.criterion(jury.coefficients(0)).expressions[-1]
     arm = {a: 1 + e - gamma * RISE}
     page.say(
-        "Jury's inequalities for $d=0$ are $p_1(1)>0$, $c_1>0$, $c_3=-p_1(-1)>0$ and $\\Delta_2>0$ "
-        "(\\chapter{s4d_jury_counted}). With $1-a+e=\\gamma(n_1+n_0)$ and the damping "
-        "$s_1=(1-e+\\gamma n_0)/(n_1+n_0)$ of the arm near $z=1$:"
+        r"Jury's inequalities for $d=0$ are $p_1(1)>0$, $c_1>0$, $c_3=-p_1(-1)>0$ and $\Delta_2>0$ "
+        r"(\chapter{s4d_jury_counted}). We use $1-a+e=\gamma(n_1+n_0)$ and the low-frequency "
+        r"damping $s_1=(1-e+\gamma n_0)/(n_1+n_0)$ of the arm:"
     )
     loss = RISE * s_1 - gamma * n_0
     split = RISE * (1 - n_0 * beta) * (beta + s_1) - n_0 * (1 + n_1 * beta) * (alpha + gamma)
     page.step(
-        "The minor has two products", minor.subs(arm).subs(e, 1 - loss), split, name=r"\Delta_2"
+        "The minor is a difference of two products",
+        minor.subs(arm).subs(e, 1 - loss),
+        split,
+        name=r"\Delta_2",
     )
     largest(page, minor, arm)
     ratio(page)
@@ -42,7 +45,7 @@ def largest(page, minor, arm):
     device = plant.Sampled(n_1, n_0, arm[a], e)
     top = boundary.largest_undelayed(device)
     root = sqrt(n_0 * (n_0 + e * n_1 - gamma * n_0 * n_1))
-    page.define("A square root of the device's coefficients", w, root)
+    page.define("The number $w$ is a square root of the device's coefficients", w, root)
     page.step(
         "The minor is a positive multiple of the margin minus a square",
         minor.subs(arm),
@@ -68,8 +71,8 @@ def largest(page, minor, arm):
         "With the damping $\\beta=(w/n_0-1)/n_1$ every wall with "
         "$-\\gamma<\\alpha<\\alpha_{\\max}(0)$ is stable",
         all_softer(),
-        because="there the square vanishes; the other inequalities of Jury's hold, by balls around "
-        "the numbers of the device",
+        because="the square vanishes at this damping; balls around the numbers of the device show "
+        "that Jury's other inequalities hold",
     )
     page.state(
         "stiffest-wall-undelayed",
@@ -91,11 +94,11 @@ def ratio(page):
         for g, v in (("0.001", 0.02), (0, 0.02), (0, 0.0201))
     ]
     page.enclosed(
-        "The ratio is 17.8 and a little more",
+        "The ratio of the largest stiffnesses is slightly more than 17.8",
         list(zip(names, ratios, strict=True)),
-        because="by the closed form. 17.8 is the first two truncated, and 0.0562 the inverse of "
-        "the "
-        "first, rounded up; just beyond the range 17.8 is too large",
+        because="the closed form gives the first two numbers. The paper's 17.8 is these two "
+        "truncated, and its 0.0562 is the inverse of the first, rounded up. Just outside (23) the "
+        "ratio is less than 17.8",
     )
     page.settle(
         "s5b-eta-d0",
@@ -103,7 +106,7 @@ def ratio(page):
         example={gamma: S.Zero, delta: end},
         enclosed=True,
         value=(ratios[0], over(S.One, ratios[0])),
-        note=r"both hold on all of (23); the numbers are those of its corner $\gamma=0.001$, "
-        r"$\delta=0.02$. They belong to one $\delta$ for passivity and stability; for a "
-        r"device with an arm see \texttt{one-delta}",
+        note="both statements hold on all of (23); the numbers are those of its corner "
+        r"$\gamma=0.001$, $\delta=0.02$. They assume one $\delta$ for passivity and stability; for "
+        r"a device with an arm see \texttt{one-delta}",
     )

@@ -1,8 +1,8 @@
 """Which wall of the boundary bounds the stable stiffness?
 
-The explicit boundary has a first maximum of the stiffness, but is stiffer again at larger angles.
-We show with the zeros of the loop that no stable wall is stiffer than the first maximum. By the
-same argument every tangent of the upper boundary bounds the stable walls.
+The stiffness on the explicit boundary has a first maximum, but at larger angles it becomes larger
+again. We show with the zeros of the loop that no stable wall is stiffer than the first maximum. By
+the same argument every tangent of the upper boundary bounds the stable walls.
 """
 
 from symhaptic.book.lemmas.outpaced import ROOM, room
@@ -19,14 +19,14 @@ def derive(page):
     boundary_in_angles(page)
     page.say(
         "Let all $d+3$ zeros of the polynomial $p=z^{d+1}A+NW$ lie inside the unit circle. Each "
-        "zero $a$ adds $z/(z-a)$ to $zp'/p$, and the real part of this is more than $\\tfrac12$ "
-        "for $|z|=1$. So $2\\Re(\\bar pzp')>(d+3)|p|^2$ everywhere on the circle."
+        "zero $a$ adds $z/(z-a)$ to $zp'/p$. For $|z|=1$ the real part of this term is more than "
+        r"$\tfrac12$. So $2\Re(\bar pzp')>(d+3)|p|^2$ everywhere on the circle."
     )
     page.say(
-        "Take the wall $(\\alpha_1,\\beta_1)$ of the boundary that puts a zero at "
-        "$z=e^{j\\theta}$, and let $(x,y)$ be the derivative of the boundary with respect to "
-        "$\\theta$ there. For the wall $(\\alpha_1+u,\\beta_1+v)$ the polynomial is "
-        "$q=N(uz+v(z-1))$ at this $z$, and $zp'$ is $jN(xz+y(z-1))+zq'$. The inequality becomes"
+        r"Take the wall $(\alpha_1,\beta_1)$ of the boundary that puts a zero at $z=e^{j\theta}$, "
+        r"and let $(x,y)$ be the derivative of the boundary with respect to $\theta$ there. For "
+        r"the wall $(\alpha_1+u,\beta_1+v)$ the polynomial is $q=N(uz+v(z-1))$ at this $z$, and "
+        "$zp'$ is $jN(xz+y(z-1))+zq'$. At $z$ the inequality has a linear and a quadratic part:"
     )
     turn = exp(I * theta)
     way, rest = x * turn + y * (turn - 1), u * turn + v * (turn - 1)
@@ -36,12 +36,14 @@ def derive(page):
         I * way * rest.xreplace(mirrored) - I * way.xreplace(mirrored) * rest,
         -2 * sin(theta) * (u * y - v * x),
         name=r"2\Re\bigl(j(xz+y(z-1))\,\overline{(uz+v(z-1))}\bigr)",
-        because="times $|N|^2$; the rest is the quadratic form $2\\Re(\\bar qzq')-(d+3)|q|^2$",
+        because="the linear part of the inequality is this number times $|N|^2$; the rest is the "
+        r"quadratic form $2\Re(\bar qzq')-(d+3)|q|^2$",
     )
     page.say(
-        r"The form is negative definite where $\bigl(d+1-(n_1^2-n_0^2)/|N|^2\bigr)\sin\theta>1$, "
-        r"for an integer $d$ from about $(d+1)\theta=1$ on. There $uy-vx<0$ for every stable "
-        "wall: the stable walls lie on one side of the tangent."
+        "For an integer $d$ the form is negative definite if "
+        r"$\bigl(d+1-(n_1^2-n_0^2)/|N|^2\bigr)\sin\theta>1$, that is from about $(d+1)\theta=1$ "
+        "on. At these angles $uy-vx<0$ for every stable wall: the stable walls lie on one side of "
+        "the tangent."
     )
     for id, says, claim, found in (
         (
@@ -64,8 +66,8 @@ def derive(page):
     page.say(
         "The theorem holds for every device, with or without spring and damper. It bounds the "
         "stable stiffness by that of the tip. It does not show that walls just below the tip are "
-        "stable. Where a chapter requires this, it is proved by balls around the zeros of "
-        r"one wall (\chapter{s5b_stiffest_wall_numbers}), and without delay in closed form "
+        "stable. Other chapters prove that such a wall is stable, by balls around its zeros "
+        r"(\chapter{s5b_stiffest_wall_numbers}), and without delay in closed form "
         r"(\chapter{s5b_stiffest_undelayed})."
     )
 
@@ -73,8 +75,8 @@ def derive(page):
 def boundary_in_angles(page):
     """The boundary by the angle of the device with its delay."""
     page.say(
-        r"Let $A=z^2-az+e$, $N=n_1z+n_0$ and $W=(\alpha+\beta)z-\beta$. Multiplied by $z^{-1/2}$, "
-        r"the wall has the real part $\alpha\cos\frac\theta2$ on the circle:"
+        r"Let $A=z^2-az+e$, $N=n_1z+n_0$ and $W=(\alpha+\beta)z-\beta$. On the circle the wall, "
+        r"multiplied by $z^{-1/2}$, has the real part $\alpha\cos\frac\theta2$:"
     )
     page.step(
         "The real part of $z^{-1/2}W$ contains the stiffness only",
@@ -89,23 +91,26 @@ def boundary_in_angles(page):
     force = on_circle(PLANT / FORCE) * exp(I * (d + Rational(1, 2)) * theta)
     turned, mirrored = (Function(name)(theta) for name in ("f", r"\overline{f}"))
     over, beside = symbols("C S")
-    page.define("The plant with its delay, times $z^{1/2}$", turned, force)
-    page.define("Its mirror image in the real axis", mirrored, force.xreplace({I: -I}))
+    page.define("The function $f$ is the plant with its delay, times $z^{1/2}$", turned, force)
+    page.define(
+        r"The function $\bar f$ is its mirror image in the real axis",
+        mirrored,
+        force.xreplace({I: -I}),
+    )
     page.step(
         "The stiffness on the boundary is a real part",
         boundary.wall(walls.DEVICE)[0],
         -(turned + mirrored) / (2 * cos(theta / 2)),
         name=r"\alpha(\theta)",
-        because="it equals $-R\\cos\\chi$ with $R=|A|/(|N|\\cos\\frac\\theta2)$; for "
-        "$\\chi<\\tfrac{5\\pi}2$ this is positive only for "
-        "$\\tfrac\\pi2<\\chi<\\tfrac{3\\pi}2$",
+        because=r"the stiffness is $-R\cos\chi$ with $R=|A|/(|N|\cos\frac\theta2)$; for "
+        r"$\chi<\tfrac{5\pi}2$ it is positive only for $\tfrac\pi2<\chi<\tfrac{3\pi}2$",
     )
-    page.define(r"The parameter is $\tau=\tan(\theta/2)$", tau, tan(theta / 2))
-    page.define("and the angle of the delay plus one period", phi, (d + 1) * theta)
+    page.define(r"The parameter of the boundary is $\tau=\tan(\theta/2)$", tau, tan(theta / 2))
+    page.define(r"The angle $\varphi$ belongs to the delay plus one period", phi, (d + 1) * theta)
     cosine = (n_1 + n_0) * cos(phi) + (n_1 - n_0) * tau * sin(phi)
-    page.define("A cosine of the numerator and of this angle", over, cosine)
+    page.define("One term is a cosine of the numerator and of this angle", over, cosine)
     sine = (n_1 + n_0) * sin(phi) - (n_1 - n_0) * tau * cos(phi)
-    page.define("A sine of the numerator and of this angle", beside, sine)
+    page.define("Another term is a sine of the numerator and of this angle", beside, sine)
     page.step(
         "The stiffness on the boundary is a quotient of real numbers",
         boundary.wall(walls.DEVICE)[0],

@@ -1,9 +1,9 @@
 r"""How much stiffer than a passive wall can a stable one be?
 
-The paper uses the words far higher, clearly larger and much smaller. It gives the ratio of the
-largest stable to the largest passive stiffness for two delays and draws its inverse $\eta$ in Fig.
-12. Each ratio is enclosed here between a stable wall next to the tip and a bound of all stable
-walls.
+The paper uses the words \emph{far higher}, \emph{clearly larger} and \emph{much smaller}. It gives
+the ratio of the largest stable to the largest passive stiffness for two delays and draws its
+inverse $\eta$ in Fig. 12. For each ratio a stable wall next to the tip gives a lower bound, and a
+bound of all stable walls gives an upper one.
 """
 
 from symhaptic.book.lemmas.far_higher import at_least, by_how_much, dimensions
@@ -14,8 +14,8 @@ from symhaptic.book.lemmas.stiffness_claims import LATE, of_ratio
 from symhaptic.paper.propositions.far_higher import RATIOS, SIZES
 
 HELD = (
-    r"one $\delta$ for passivity and stability; for a device with an arm the ratio is larger by "
-    r"$1+b_H/b_D$ (\texttt{one-delta})"
+    r"this assumes one $\delta$ for passivity and stability; for a device with an arm the ratio is "
+    r"$1+b_H/b_D$ times as large (\texttt{one-delta})"
 )
 
 
@@ -34,9 +34,9 @@ def derive(page):
         because="the wall (11) is passive, and so stable with every spring",
     )
     page.say(
-        "For the arms of Fig. 12 two walls enclose the largest stable stiffness to nine digits. "
-        "Balls around its zeros show that a wall just below the tip is stable. One point of the "
-        "circle shows that no stable wall is stiffer (\\chapter{s5b_stiffest_wall}):"
+        "For the arms of Fig. 12 two walls give the largest stable stiffness to nine digits. Balls "
+        "around the zeros of the loop show that a wall just below the tip is stable. One point of "
+        r"the circle shows that no stable wall is stiffer (\chapter{s5b_stiffest_wall}):"
     )
     arm = (STIFF, DAMPED)
     wall, stable = wall_below(arm, 1, FINE)
@@ -44,8 +44,9 @@ def derive(page):
     page.lemma(f"At $d=1$ a wall with $\\alpha={float(wall[0]):.12f}$ is stable", stable)
     page.lemma(f"At $d=1$ all stable walls have $\\alpha<{float(limit):.12f}$", softer)
     page.table(
-        "Largest stable over largest passive stiffness for $\\delta=0.02$, decimals cut off. The "
-        "claim of \\texttt{s0-far-higher} has each of these numbers as two inequalities.",
+        r"Ratio of the largest stable to the largest passive stiffness for $\delta=0.02$, with "
+        r"truncated decimals. The claim of \texttt{s0-far-higher} states each of these numbers by "
+        "two inequalities.",
         ["$d$", r"$\gamma=0$", r"$\gamma=0.001$"],
         [[n, RATIOS[S.Zero][n], RATIOS[STIFF][n]] for n in RATIOS[STIFF]],
     )
@@ -54,11 +55,11 @@ def derive(page):
             id,
             by_how_much(),
             enclosed=True,
-            note=r"17.8 times at $d=0$, 9.3 at $d=1$, 2.5 at $d=8$ and 1.0002 at $d=40$, for "
+            note="the ratio is 17.8 at $d=0$, 9.3 at $d=1$, 2.5 at $d=8$ and 1.0002 at $d=40$, for "
             rf"$\gamma=0.001$, $\delta=0.02$; {HELD}",
         )
     page.say(
-        r"Passive walls have $|\beta|\le\delta$. Stable walls can have more damping, for the arm "
+        r"Passive walls have $|\beta|\le\delta$. Stable walls can have more damping. For the arm "
         "of Fig. 11:"
     )
     page.table(
@@ -70,8 +71,8 @@ def derive(page):
         "s5a-much-smaller",
         dimensions(),
         enclosed=True,
-        note="settled for the integer delays of Fig. 11: at $d=8$ a stable wall can have 2.46 "
-        "times the largest passive stiffness, and another one 9 times the largest passive "
+        note="this is proved for the integer delays of Fig. 11: at $d=8$ a stable wall can have "
+        "2.46 times the largest passive stiffness, and another one 9 times the largest passive "
         f"damping; {HELD}",
     )
     page.settle(
@@ -79,15 +80,16 @@ def derive(page):
         of_ratio(page.claim("s5b-eta-d1"), 1, LATE),
         example={gamma: S.Zero, delta: DAMPED},
         enclosed=True,
-        note=r"both hold on all of (23). At its corner $\gamma=0.001$, $\delta=0.02$ the ratio is "
-        rf"$9.314686\ldots$, truncated to 9.3, and 0.1074 is its inverse rounded up; {HELD}",
+        note=r"both statements hold on all of (23). At its corner $\gamma=0.001$, $\delta=0.02$ "
+        r"the ratio is $9.314686\ldots$. The paper's 9.3 is this ratio truncated, and its 0.1074 "
+        f"is the inverse rounded up; {HELD}",
     )
     page.say(
-        "With a spring some walls are stable for every delay. For the arm of Fig. 12 this is the "
-        r"wall $\alpha=0.00059$, $\beta=0$:"
+        "With a spring some walls are stable for every delay. For the arm of Fig. 12 the wall "
+        r"$\alpha=0.00059$, $\beta=0$ is one of them:"
     )
     page.lemma(
         r"The wall $\alpha=0.00059$, $\beta=0$ is stable with every integer delay",
         stable_behind_every_delay(),
-        because=r"the device dominates at every angle: $|A|>\alpha|N|$",
+        because=r"the term of the device dominates at every angle: $|A|>\alpha|N|$",
     )

@@ -19,20 +19,20 @@ def derive(page):
         r"$y=4\sin^2\frac\theta2$",
     )
     page.say(
-        "For shorter delays take a wall next to the tip. One point of the circle bounds its "
-        "distance from the tip: for a polynomial $p$ of degree $n$ with its zeros inside, "
-        r"$n|p|^2<2\Re\bar p\,zp'$ there. At the angle of the tip that is false for all stiffer "
-        "walls:"
+        "For shorter delays take a wall next to the tip. One point $z$ of the circle bounds the "
+        "distance of this wall from the tip: a polynomial $p$ of degree $n$ with all zeros inside "
+        r"satisfies $n|p|^2<2\Re\bar p\,zp'$ at $z$. At the angle of the tip this inequality is "
+        "false for all stiffer walls:"
     )
     page.lemma(
         r"With a delay of 40 periods the stable walls have $\alpha<0.000766483$",
         none_above(SPRUNG, PEAK)[1],
     )
     page.lemma(
-        r"With every integer delay but 40 $\eta$ is less than $0.9998$",
+        r"The ratio $\eta$ is less than $0.9998$ for every integer delay except 40",
         elsewhere(),
-        because="by a wall for each delay up to 67; for longer delays passive walls have "
-        r"$\alpha(d+1)\le2\delta$, by low frequencies",
+        because="for each delay up to 67 one stable wall shows this; for longer delays passive "
+        r"walls have $\alpha(d+1)\le2\delta$ by the condition at low frequencies",
     )
     _, [springs], then = taken_apart(page.claim("s5b-eta-grows"))
     point = {gamma: STIFF}
@@ -50,7 +50,7 @@ def derive(page):
         shows="with the spring, and with every integer delay, some stable wall is stiffer than all "
         r"passive ones; and $\eta$ falls again, without a spring from more than 0.9999 at "
         "$d=122$ to less than 0.91 at $d=1000$",
-        note=r"for integer delays. Rounded to three digits, 0.9998 is 1; up to this delay $\eta$ "
-        r"grows between the delays of Fig. 12. One $\delta$ stands for passivity and "
+        note="this is proved for integer delays. Rounded to three digits, 0.9998 is 1. Up to "
+        r"$d=40$ $\eta$ grows between the delays of Fig. 12. One $\delta$ stands for passivity and "
         r"stability; for a device with an arm $\eta\le b_D/(b_D+b_H)$ (\texttt{one-delta})",
     )

@@ -1,8 +1,8 @@
 r"""Is the difference between passive and stable walls larger for smaller damping?
 
-The paper says that the passive region shrinks in proportion to $\delta$, and that the stable one
+The paper says that the passive region shrinks in proportion to $\delta$, and that the stable region
 hardly changes. In terms of the largest stiffness the question is whether the ratio $\eta$ of the
-passive to the stable one grows with $\delta$.
+passive to the stable stiffness grows with $\delta$.
 """
 
 from symhaptic.book.lemmas.near_tip import none_above
@@ -22,19 +22,18 @@ from symhaptic.paper.propositions.stability import HEAVIER
 
 def derive(page):
     page.say(
-        "The largest passive stiffness is proportional to $\\delta$. Two linear functions of the "
-        "damping bound the largest stable stiffness on all of (23), one from each side, for $d=0$ "
-        "and $d=1$. They are close enough for dampings that are 2\\,\\% apart:"
+        r"The largest passive stiffness is proportional to $\delta$. For $d=0$ and $d=1$ two "
+        "linear functions of the damping bound the largest stable stiffness on all of (23), one "
+        r"from each side. They are so close that they decide for dampings that differ by 2\,\%:"
     )
     page.lemma(
         r"For $d=0$ and $d=1$ a damping that is 2\,\% larger has a larger $\eta$",
         further(),
-        because="with $\\varrho$ between the two ratios",
+        because=r"a number $\varrho$ lies between the two ratios",
     )
     page.say(
-        "For the other integer delays of Fig. 11 the dampings "
-        + ", ".join(f"${float(v):g}$" for v in DAMPERS)
-        + " are compared, each with the next, by walls next to the tips:"
+        "For the other integer delays of Fig. 11 walls next to the tips compare each of the "
+        "dampings " + ", ".join(f"${float(v):g}$" for v in DAMPERS) + " with the next one:"
     )
     page.state(
         "weaker-damping",
@@ -47,7 +46,8 @@ def derive(page):
     page.lemma(
         "At $d=200$, $\\delta=0.01$ the stable walls have $\\alpha<0.00007843$",
         none_above((FAR[gamma], FAR[delta]), 200)[1],
-        because="this follows from the inequality at one point of the circle, as before",
+        because="this follows from the inequality at one point of the circle "
+        r"(\chapter{s5b_stiffest_wall})",
     )
     then = taken_apart(page.claim("s5a-smaller-delta"))[2]
     point = {gamma: S.Zero, delta: Rational(1, 100), HEAVIER: Rational(1, 50), d: S.Zero}
@@ -60,6 +60,7 @@ def derive(page):
         unless={SHORT: (FAR, nearer(then.at(FAR)), not_short())},
         shows=r"at $d=200$ the two stiffnesses differ by 0.4\% for $\delta=0.01$ and by 1.4\% for "
         r"$0.02$",
-        note=r"in terms of the largest stiffness, for integer delays; for $d\in\{2,4,8\}$ four "
-        r"dampings are compared (\texttt{weaker-damping}), nearer ones are not settled",
+        note="the statement is about the largest stiffness and integer delays. For "
+        r"$d\in\{2,4,8\}$ four dampings are compared (\texttt{weaker-damping}); smaller "
+        "differences are undecided",
     )

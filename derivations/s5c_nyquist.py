@@ -1,7 +1,7 @@
 """Up to which stiffness is the natural frequency of the device below the Nyquist frequency?
 
-A device with a spring oscillates. Sampling can represent this up to the Nyquist frequency; we ask
-for which stiffness it is reached.
+A device with a spring oscillates. Sampling can represent the oscillation up to the Nyquist
+frequency. We ask for which stiffness the device reaches this frequency.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -17,14 +17,15 @@ def derive(page):
         damped.characteristic.subs("s", one),
         S.Zero,
         name=r"ms^2+bs+k\,\big|_{s=-\frac{b}{2m}+j\omega}",
-        because="with $\\omega$ as follows, real where $k>b^2/(4m)$",
+        because=r"the frequency $\omega$ follows from the roots of $ms^2+bs+k$ and is real for "
+        "$k>b^2/(4m)$",
         paper="28",
     )
     page.lemma(
         "A damped mass on a spring oscillates with one frequency only",
         swings(),
-        because="$e^{\\sigma t}\\sin\\omega t$ obeys Newton's law where its sine and its cosine "
-        "part vanish",
+        because=r"$e^{\sigma t}\sin\omega t$ satisfies Newton's law if and only if its sine and "
+        "its cosine part vanish",
     )
     _frequency(page, (one - two) / (2 * I))
     unit = plant.normalised(Parts())
@@ -34,7 +35,7 @@ def derive(page):
         unit.characteristic.subs("s", unit.poles(2 * I * turns)[0]),
         S.Zero,
         name=r"s^2+\delta s+\gamma\,\big|_{s=-\delta/2+j\omega T}",
-        because="with $\\omega T=\\sqrt{\\gamma-\\delta^2/4}$",
+        because=r"Table I gives $\omega T=\sqrt{\gamma-\delta^2/4}$",
         paper="29",
     )
     _in_units(page, turns)
@@ -118,5 +119,5 @@ def _undamped(page):
         "s5c-nyquist-spring",
         same,
         example={T: S.One, omega: S.One, gamma: S.One},
-        note="with damping it is $\\gamma=\\pi^2+\\frac14\\delta^2$",
+        note=r"with damping the limit is $\gamma=\pi^2+\frac14\delta^2$",
     )

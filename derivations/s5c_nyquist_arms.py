@@ -1,6 +1,7 @@
 """Is the limit of the spring ten thousand times the stiffness of an arm?
 
-We compare the limit with the arms of Table II.
+The paper says that the spring at the Nyquist limit is ten thousand times as stiff as an arm. We
+compare this limit with the arms of Table II.
 """
 
 from symhaptic.book.lemmas.arm_ranges import SHARE, above, damped, divisors, scale, weak
@@ -22,8 +23,8 @@ def derive(page):
 def arms(page):
     """Against arms, in units of mass and period."""
     page.say(
-        "In units of mass and period the limit is $\\gamma=\\pi^2$ to $\\pi^2+0.0001$. The range "
-        "(23) ends at $\\gamma=0.001$:"
+        r"In units of mass and period the limit is between $\gamma=\pi^2$ and $\pi^2+0.0001$. The "
+        r"range (23) ends at $\gamma=0.001$:"
     )
     _, given, near = taken_apart(page.claim("s5c-human-10000"))
     limit, largest = map(assume, given[-2:])
@@ -52,9 +53,9 @@ def arms(page):
         example={gamma: pi**2, delta: S.Zero, x: Rational(1, 1000)},
         enclosed=True,
         value=1000 * pi**2,
-        note=r"$T=1$ ms. (23) was extended: the $710\,\mathrm{s}^{-2}$ of (21) give "
-        r"$\pi^2/0.00071=13\,900$. With faster sampling the number increases in proportion to "
-        "$1/T^2$",
+        note="the number holds for $T=1$ ms. The range (23) is wider than (21); the "
+        r"$710\,\mathrm{s}^{-2}$ of (21) give $\pi^2/0.00071=13\,900$. The number is proportional "
+        "to $1/T^2$",
     )
     frequency = plant.Plant(damping=None).poles()[0]
     page.same("without damping", (frequency.subs(k, spring_of(m)) / I) ** 2, (pi / T) ** 2)
@@ -63,9 +64,9 @@ def arms(page):
 def human(page):
     """Against arms, as stiffnesses."""
     page.say(
-        "These are stiffnesses per mass. To compare stiffnesses, the mass must be that of the "
-        r"arm. For Hogan's arm, 0.8 kg and 568 N/m, the limit is $k=\pi^2m/T^2$; for the device "
-        "of Example 5.1 alone, 0.1 kg, it is much smaller:"
+        "These numbers are stiffnesses per mass. They compare stiffnesses only if the mass is that "
+        r"of the arm. For Hogan's arm, 0.8 kg and 568 N/m, the limit is $k=\pi^2m/T^2$. For the "
+        "device of Example 5.1 alone, 0.1 kg, the limit is much smaller:"
     )
     for title, mass in (
         ("For Hogan's arm the spring is 13\\,900 times as stiff", HOGAN[m]),
@@ -105,7 +106,8 @@ def human(page):
         example=(same, swung(same)),
         unless={alike: (point, swung(point), soft(about.at(point)))},
         shows=r"the 987\,000 N/m of Example 5.1 are 1740 times the stiffness of an arm of 568 N/m",
-        note=r"at $T=1$ ms, with the stiffness per mass of (21) it is 13\,900 times, of (23) 9870",
+        note=r"at $T=1$ ms the factor is 13\,900 with the stiffness per mass of (21), and 9870 "
+        "with that of (23)",
     )
 
 

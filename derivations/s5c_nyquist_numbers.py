@@ -1,7 +1,7 @@
 r"""Which spring reaches the Nyquist frequency, and does the damper matter?
 
-The Nyquist frequency is reached at $\gamma=\pi^2+\delta^2/4$. In SI units this is Example 5.1 of
-the paper.
+The device reaches the Nyquist frequency at $\gamma=\pi^2+\delta^2/4$. Example 5.1 of the paper
+states this stiffness in SI units.
 """
 
 from symhaptic.book.lemmas.arm_ranges import FIFTIETH, SHARE, above, damped, divisors, scale, weak
@@ -16,11 +16,11 @@ def derive(page):
     spring = pi**2 * m / T**2 + b**2 / (4 * m)
     one, two = Plant().poles(2 * I * sqrt(k / m - b**2 / (4 * m**2)))
     page.step(
-        "A spring that reaches the Nyquist frequency",
+        "With the spring (31) the device oscillates at the Nyquist frequency",
         (((one - two) / (2 * I)) ** 2).subs(k, spring),
         (pi / T) ** 2,
         name=r"\omega^2\big|_{k=\pi^2m/T^2+b^2/(4m)}",
-        because="by (28), for an underdamped device",
+        because="this follows from (28) for an underdamped device",
         paper="31",
     )
     example_(page, spring)
@@ -37,13 +37,14 @@ def example_(page, spring):
         name=k,
     )
     page.say(
-        "which is $986\\,960.44\\ldots$ N/m without damping. It rounds to 987 000 N/m as long "
-        "as $2.5\\,b^2<540$ (in SI units), $b\\le14.6$ Ns/m; (23) has $b\\le0.02m/T=2$ Ns/m:"
+        r"Without damping the stiffness is $986\,960.44\ldots$ N/m. It rounds to 987 000 N/m as "
+        r"long as $2.5\,b^2<540$ (in SI units), that is for $b\le14.6$ Ns/m. The range (23) has "
+        r"$b\le0.02m/T=2$ Ns/m:"
     )
     page.lemma(
         "For $0\\le b\\le14.6$ Ns/m the stiffness of Example 5.1 stays below 987\\,500 N/m",
         on_box(box.positive(987500 - device, {b: (0, Rational(146, 10))})),
-        because="so it rounds to the printed number",
+        because="so the stiffness rounds to the published number",
     )
     then = taken_apart(CLAIMED["eq31"]((Eq(k, spring),)))[2]
     _, rounds = then.of
@@ -56,18 +57,18 @@ def example_(page, spring):
         example=point,
         enclosed=True,
         value=device.subs(b, 0),
-        note=r"the number is that of $b=0$; it holds for $b\le14.6$ Ns/m, and (23) has $b\le2$",
+        note=r"the number belongs to $b=0$ and is right for $b\le14.6$ Ns/m; (23) has $b\le2$ Ns/m",
     )
 
 
 def marginal(page, spring):
     """The share of the damping, and that it does not change the printed number."""
-    page.define("The damping in the parameters of Table I", delta, b * T / m)
+    page.define(r"Table I defines the damping $\delta$", delta, b * T / m)
     page.step(
         r"The contribution of the damping depends only on $\delta$",
         b**2 / (4 * m) / (pi**2 * m / T**2),
         delta**2 / (4 * pi**2),
-        because="this is the ratio to the stiffness without damping, for every device",
+        because="the ratio to the stiffness without damping is the same for every device",
     )
     then = taken_apart(page.claim("s5c-marginal-b"))[2]
     small, rounds = then.of
@@ -80,7 +81,7 @@ def marginal(page, spring):
         "s5c-marginal-b",
         closed(conj(less, about), *divisors()),
         example={m: S.One, b: S.Zero, T: S.One},
-        note=r"less than $1.02\cdot10^{-5}$ inside (23)",
+        note=r"the contribution is less than $1.02\cdot10^{-5}$ of the stiffness inside (23)",
     )
 
 

@@ -1,7 +1,7 @@
 """When is the loop stable if the device oscillates at the Nyquist frequency?
 
-The state of the device changes its sign after each period, and decays if it is damped. We ask which
-walls are stable then.
+At the Nyquist frequency the state of the free device changes its sign after each period, and decays
+if the device is damped. We ask which walls are stable with such a device.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -22,34 +22,34 @@ from symhaptic.proof.theorems.roots import pole_at
 
 def derive(page):
     page.say(
-        "Without damping the state changes its sign after each period. The numerator cancels one "
-        "of the two poles at $-1$."
+        "Without damping the state only changes its sign after each period. The numerator cancels "
+        "one of the two poles at $-1$:"
     )
     page.step(
         "At $\\gamma=\\pi^2$, $\\delta=0$ the polynomial has the factor $z+1$",
         loop.characteristic(Parts(damping=False)).subs(gamma, pi**2),
         (z + 1) * ((z + 1) * z ** (d + 1) + 2 * ((alpha + beta) * z - beta) / pi**2),
         name="p_1(z)",
-        because="the root at $-1$ exists for every wall and every delay",
+        because="so the polynomial has the root $-1$ for every wall and every delay",
     )
     pole = page.lemma(
         "Without damping a pole lies at $-1$, and no wall moves it",
         mirrored_pole(S.Zero),
-        because="for a delay of $\\ell/q$ periods $w=e^{j\\pi/q}$ is a zero of the polynomial in "
-        "$w$, and $w^q=-1$",
+        because=r"for a delay of $\ell/q$ periods $w=e^{j\pi/q}$ is a zero of the polynomial in "
+        "$w=z^{1/q}$, and $w^q=-1$",
     )
     page.lemma(
         "For integer delays one pole at $-1$ is not observable in the samples",
         split(),
-        because="the polynomial is $z+1$ times another one, which is zero at $-1$ only for "
-        "$\\alpha+2\\beta=0$",
+        because="the polynomial is $z+1$ times a second polynomial, and the second one is zero at "
+        r"$-1$ only for $\alpha+2\beta=0$",
     )
     page.say(
         "The loop is limit stable if $-1$ is a simple zero and all other zeros lie inside the "
         "unit circle. Without delay the other factor is of second order:"
     )
     page.lemma(
-        "For $d=0$ the other zeros lie inside exactly for a triangle of walls",
+        "Without delay the other zeros lie inside if and only if the wall lies in a triangle",
         triangle(),
         boxed=True,
     )
@@ -59,19 +59,19 @@ def derive(page):
     page.settle(
         "s5c-undamped-limit",
         conj(kept, split(), triangle()),
-        note=r"the pole for every delay of $\ell/q$ periods, the factor for integer delays, the "
-        "region for $d=0$; for other delays no region is shown",
+        note=r"the pole is proved for every delay of $\ell/q$ periods, the factor for integer "
+        "delays, and the region for $d=0$; for other delays the region is not derived",
     )
     damped = page.lemma(
         "With damping a pole lies at $-e^{-\\delta/2}$, and no wall moves it",
         mirrored_pole(delta),
-        because="for $\\gamma=\\pi^2+\\delta^2/4$, the Nyquist frequency of a damped device",
+        because=r"$\gamma=\pi^2+\delta^2/4$ is the Nyquist frequency of a damped device",
     )
     page.settle(
         "s5c-pole-inside",
         conj(damped, *inside()),
         example=(once, fact(whole(S.One))),
-        note=r"at the Nyquist frequency it is $-e^{-\delta/2}$, for every wall and delay",
+        note=r"at the Nyquist frequency this pole is $-e^{-\delta/2}$, for every wall and delay",
     )
 
 

@@ -1,8 +1,8 @@
 """Which walls are stable with a spring at the Nyquist frequency?
 
-There the state of the device changes its sign after every period, and decays. The loop has a fixed
-root for this motion, and without delay a quadratic remains, for which the stable region is a
-triangle.
+At this frequency the state of the free device changes its sign after every period, and decays. The
+loop has a fixed root that belongs to this motion. Without delay the other factor is a quadratic,
+and the stable region is a triangle.
 """
 
 from sympy import I, S, exp, eye, pi, symbols, tanh
@@ -24,7 +24,7 @@ def derive(page):
         motion.subs(AT),
         -LEFT * eye(2),
         name=r"\Phi(1)",
-        because="for $\\gamma=\\pi^2+\\delta^2/4$",
+        because=r"here $\gamma=\pi^2+\delta^2/4$",
     )
     force = (1 + LEFT) / AT[gamma]
     whole = loop.characteristic(FULL, split=2 * I * pi).subs(AT)
@@ -34,7 +34,7 @@ def derive(page):
         whole,
         (z + LEFT) * rest,
         name="p_1(z)",
-        because="so one root is $-e^{-\\delta/2}$, for every wall and every delay",
+        because=r"so one root is $-e^{-\delta/2}$ for every wall and every delay",
     )
     page.say(
         "For $d=0$ the other factor $q$ is a quadratic. With $f=e^{-\\delta/2}$ and "
@@ -69,14 +69,15 @@ def derive(page):
         because="$\\beta>-1/\\nu$",
     )
     edge = page.step(
-        "The third side of the triangle, $\\alpha+2\\beta=(1-f)/\\nu$, lies here",
+        r"The third side of the triangle is the line $\alpha+2\beta=(1-f)/\nu$",
         ((1 - f) / SHARE).subs({f: LEFT, SHARE: force}),
         AT[gamma] * tanh(delta / 4),
         name=r"\frac{1-f}\nu",
     )
     page.say(
-        "The corner at $\\beta=-1/\\nu$ has the largest stiffness, $\\alpha=(3-f)/\\nu$, which is "
-        "$\\gamma(3-f)/(1+f)$: about $\\pi^2$, against $0.71$ for the arms of (23)."
+        r"The corner at $\beta=-1/\nu$ has the largest stiffness, "
+        r"$\alpha=(3-f)/\nu=\gamma(3-f)/(1+f)$. This is about $\pi^2$; for the arms of (23) the "
+        "largest stable stiffness is $0.71$."
     )
     most = AT[gamma] * (3 - LEFT) / (1 + LEFT)
     page.same("corner", edge + 2 / force, most)
@@ -89,12 +90,13 @@ def derive(page):
     page.settle(
         "s5c-shape",
         other_shape_and_size(),
-        note=r"for $d=0$ only: a parabola-like arc up to $\alpha=0.71$, $\beta=2$ becomes a "
-        r"triangle with corners at $\beta=\pm\pi^2/2$",
+        note=r"this is proved for $d=0$ only: a region below an arc, up to $\alpha=0.71$ and "
+        r"$\beta=2$, becomes a triangle with corners at $\beta=\pm\pi^2/2$",
     )
     page.settle(
         "s5c-delta-hardly-visible",
         page.lemma("The sides of the triangle move by less than 0.05 in (23)", hardly_moved()),
         enclosed=True,
-        note="for $d=0$ and the largest of the 41 springs only; the other curves are not settled",
+        note="this is proved for $d=0$ and the stiffest of the 41 springs only; the other curves "
+        "are undecided",
     )

@@ -1,4 +1,4 @@
-r"""Without damping, is any wall stable with every spring?
+r"""Is any wall stable with every spring if the device has no damping?
 
 A wall is robustly stable if it is stable with every spring up to the Nyquist frequency. The paper
 observes that the region of these walls shrinks to the origin as $\delta\to0$. We show that it is
@@ -14,8 +14,8 @@ def derive(page):
     undamped, swing, apart = Parts(damping=False), {gamma: Omega**2}, 2 * I * Omega
     device = plant.sampled(plant.normalised(undamped), split=apart)
     page.say(
-        r"Without damping the device oscillates by the angle $\Omega=\sqrt\gamma$ per period, and "
-        r"$n_1=n_0=(1-\cos\Omega)/\Omega^2$:"
+        r"Without damping the phase of the oscillating device grows by $\Omega=\sqrt\gamma$ per "
+        r"period, and $n_1=n_0=(1-\cos\Omega)/\Omega^2$:"
     )
     page.step(
         "The device without damping has poles on the unit circle",
@@ -54,11 +54,11 @@ def derive(page):
         -4 * n_0 * sin(Omega) * (along * sin(late * Omega) - across * cos(late * Omega))
         - 2 * n_0**2 * (1 + cos(Omega)) * square,
         name=r"2\Re(zp_1'\bar p_1)-(d+3)|p_1|^2",
-        because="which should be positive",
+        because="for a stable wall this number is positive",
     )
     page.say(
-        "Take the spring with $(d+1)\\Omega=\\tfrac\\pi2$. The first term is then "
-        "$-4n_0\\alpha\\sin\\Omega\\,(1+\\cos\\Omega)$, and in the second one"
+        r"Take the spring with $(d+1)\Omega=\tfrac\pi2$. The first term is then "
+        r"$-4n_0\alpha\sin\Omega\,(1+\cos\Omega)$, and the second term is negative:"
     )
     page.step(
         "The second term is a sum of squares",
@@ -70,13 +70,13 @@ def derive(page):
     page.lemma(
         "A sine lies above its chord: $(d+1)\\sin\\Omega\\ge1$",
         chord(),
-        because="with $d=p/(q+1)$, $M=q+1$ and $N=p+q+1$, and $\\Omega=M\\psi$",
+        because="the delay is $d=p/(q+1)$; the lemma is the inequality for sines with $M=q+1$, "
+        r"$N=p+q+1$ and $\Omega=M\psi$",
     )
     page.lemma(
         r"With the polynomial in $w$, no wall with $\alpha\ge0$ is stable with this spring",
         outpaced(),
-        because="neither term is positive; the delay is any rational number, with $z=w^{q+1}$ as "
-        "in "
+        because="neither term is positive; the delay is any rational number, and $z=w^{q+1}$ as in "
         "the paper",
     )
     page.lemma(
@@ -89,15 +89,15 @@ def derive(page):
         because="the polynomial is not positive at 1",
     )
     page.say(
-        r"So no wall is robustly stable. All walls with $\alpha\ge0$ except the origin have a "
-        "zero outside the circle with the first spring: with zeros on the circle the inequality "
-        r"would hold with $\ge$, but the right side is negative. At the origin the device "
-        "oscillates without a wall and is only limit stable."
+        r"So no wall is robustly stable. With the spring $(d+1)\sqrt\gamma=\frac\pi2$ every wall "
+        r"with $\alpha\ge0$ except the origin has a zero outside the circle. If its zeros were "
+        r"inside or on the circle, the inequality would hold with $\ge$, but the sum of both terms "
+        "is negative. At the origin the device oscillates without a wall and is only limit stable."
     )
     symbols, given, then = taken_apart(page.claim("s5c-robust-vanishes"))
     page.settle(
         "s5c-robust-vanishes",
         for_all(symbols, given, vanishes(then.of[0])),
         example={alpha: S.Zero, beta: S.Zero, d: S.Zero},
-        note=r"for every delay; one spring excludes all walls with $\alpha\ge0$",
+        note=r"this holds for every delay; one spring excludes all walls with $\alpha\ge0$",
     )

@@ -22,8 +22,8 @@ from symhaptic.paper.propositions.robust import AT_MOST, CONSERVATIVE
 
 def derive(page):
     page.say(
-        "The wall (11) is passive, and so robustly stable. This bounds the largest robustly stable "
-        "stiffness from below:"
+        "The wall (11) is passive, and therefore robustly stable. Its stiffness is a lower bound "
+        "of the largest robustly stable stiffness:"
     )
     page.lemma(
         "The passive wall of maximum stiffness is stable with every spring of (30), with every "
@@ -31,9 +31,10 @@ def derive(page):
         tip_is_robust()[0],
     )
     page.say(
-        f"For $\\delta=0.02$ a slightly stiffer wall is tried. Jury's inequalities are polynomials "
-        f"in the numbers of the device, and balls enclose these for all springs up to "
-        f"$\\gamma={float(STIFFEST)}$, which is beyond (30). With one period of delay for instance:"
+        r"For $\delta=0.02$ a slightly stiffer wall is robustly stable, too. Jury's inequalities "
+        "are polynomials in the numbers of the device, and balls contain these numbers for all "
+        rf"springs up to $\gamma={float(STIFFEST)}$, which is beyond (30). For instance, with one "
+        "period of delay:"
     )
     stiffness, damping = WALLS[1]
     page.lemma(
@@ -42,14 +43,14 @@ def derive(page):
         is_robust(1),
     )
     page.say(
-        "One spring is sufficient for an upper bound, since a robustly stable wall is stable "
-        r"with this spring, with $\Omega$ close to $\frac\pi{2(d+1)}$. Without delay two springs "
-        r"are necessary: $\gamma=0$ and that of the Nyquist frequency."
+        "One spring is sufficient for an upper bound, since a robustly stable wall is stable with "
+        r"this spring. We choose a spring with $\Omega$ close to $\frac\pi{2(d+1)}$. Without delay "
+        r"two springs are necessary: $\gamma=0$ and that of the Nyquist frequency."
     )
     limit, bound = none_stiffer(1, DAMPED)
     page.lemma(
-        f"With $\\gamma={float(softest(1, DAMPED))}$ no wall from $\\alpha={float(limit)}$ on is "
-        "stable for $d=1$",
+        rf"With $\gamma={float(softest(1, DAMPED))}$ and $d=1$ every stable wall has "
+        rf"$\alpha<{float(limit)}$",
         bound,
         because="this follows from the inequality at one point of the circle "
         r"(\chapter{s5b_stiffest_wall})",
@@ -57,8 +58,8 @@ def derive(page):
     rows = [[n, *ends] for n, ends in CONSERVATIVE.items()]
     rows += [[n, "1", end] for n, end in AT_MOST.items()]
     page.table(
-        "Bounds of the largest robustly stable over the largest passive stiffness for "
-        "$\\delta=0.02$.",
+        "Bounds of the ratio of the largest robustly stable to the largest passive stiffness for "
+        r"$\delta=0.02$.",
         ["$d$", "more than", "less than"],
         rows,
     )
@@ -66,9 +67,10 @@ def derive(page):
         "s6-why-conservative",
         conservative(),
         enclosed=True,
-        note="with soft springs a stable wall can be 17.8 times as stiff as a passive one at "
-        "$d=0$; with all springs of (30) less than 1.118 times, and less than 1.0532 at "
-        "$d=1$. So stiff springs explain nearly all of the difference",
+        note="with the springs of (23) a stable wall can be 17.8 times as stiff as a passive one "
+        "at $d=0$. A wall that is stable with all springs of (30) is less than 1.118 times as "
+        "stiff at $d=0$, and less than 1.0532 times at $d=1$. So stiff springs explain nearly all "
+        "of the difference",
     )
     changes(page)
     left_open(page)
@@ -79,27 +81,27 @@ def changes(page):
     page.settle(
         "s5c-robust-shrinks",
         shrinks(),
-        note=r"in terms of the largest stiffness, for $\delta=0.02$ and the integer delays 0 to 8; "
-        r"as sets of walls it is undecided (\texttt{s5c-robust-shrinks-sets})",
+        note=r"this is proved for the largest stiffness, $\delta=0.02$ and the integer delays 0 to "
+        r"8; for the regions as sets of walls it is undecided (\texttt{s5c-robust-shrinks-sets})",
     )
     dampers = ", ".join(f"{float(v):g}" for v in (Rational(1, 200), Rational(1, 100), DAMPED))
     page.settle(
         "s5c-robust-grows",
         grows(),
-        note=rf"in terms of the largest stiffness, for $\delta$ of {dampers} and the integer "
-        "delays "
-        r"of Fig. 11; as sets of walls it is undecided (\texttt{s5c-robust-grows-sets})",
+        note=rf"this is proved for the largest stiffness, for $\delta$ of {dampers} and the "
+        "integer delays of Fig. 11; for the regions as sets of walls it is undecided "
+        r"(\texttt{s5c-robust-grows-sets})",
     )
 
 
 def left_open(page):
     """What no theorem decides."""
     page.say(
-        "Three statements are left open. The outlines of the robustly stable regions were "
-        r"computed for $\delta=0.02$ and the delays 0, 1, 2, 4 and 8, and each was contained in "
-        r"the previous one. For the delays 0, 1, 2 and 4 the outline for $\delta=0.01$ was "
-        "contained in that for 0.02. Outlines are no proof. It is also open whether a robustly "
-        "stable wall that is not passive is stable with springs beyond the Nyquist frequency."
+        r"Three statements are left open. For $\delta=0.02$ and the delays 0, 1, 2, 4 and 8 each "
+        "computed outline of the robustly stable region lies inside the previous one. For the "
+        r"delays 0, 1, 2 and 4 the outline for $\delta=0.01$ lies inside that for 0.02. Computed "
+        "outlines are not a proof. It is also open whether a robustly stable wall that is not "
+        "passive is stable with springs beyond the Nyquist frequency."
     )
     page.leave_open(
         "s5c-robust-shrinks-sets",

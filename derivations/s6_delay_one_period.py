@@ -13,8 +13,8 @@ from symhaptic.paper.propositions.far_higher import left_by_one_period
 
 def derive(page):
     page.say(
-        "For the arm of Figs. 11 and 12, $\\gamma=0.001$ and $\\delta=0.02$, a stable wall and a "
-        "bound of all stable walls enclose the largest stiffness at both delays:"
+        r"We take the arm of Figs. 11 and 12, $\gamma=0.001$ and $\delta=0.02$. For both delays a "
+        "stable wall and a bound of all stable walls enclose the largest stiffness:"
     )
     for delay in (0, 1):
         wall, stable = wall_below((STIFF, DAMPED), delay, FINE)
@@ -30,14 +30,14 @@ def derive(page):
     )
     page.settle("one-period-share", far_higher.left_by_one_period(), enclosed=True)
     page.say(
-        "On all of (23) two linear functions of the damping bound the stable stiffness, one for "
-        "each delay, and their ratio stays below 22 %:"
+        "On all of (23) linear functions of the damping bound the largest stable stiffness of both "
+        "delays, and their ratio stays below 22 %:"
     )
     page.settle(
         "s6-stable-22",
         one_period(),
         example={gamma: S.Zero, delta: S.Zero},
         enclosed=True,
-        note=r"for all of (23). For $\gamma=0.001$, $\delta=0.02$ the share is $0.216547\ldots$, "
-        r"which rounds to 22\,\%; for a free mass it is $0.210507\ldots$",
+        note=r"this is proved for all of (23). For $\gamma=0.001$, $\delta=0.02$ the share is "
+        r"$0.216547\ldots$, which rounds to 22\,\%; for a free mass it is $0.210507\ldots$",
     )

@@ -1,7 +1,8 @@
 """What is the benefit of faster sampling and of more mass?
 
 The paper concludes that much faster sampling has little benefit if the delay dominates, and that
-more mass has no benefit. Here the delay $t_d=dT$ is constant while $T$ decreases.
+more mass has no benefit. For faster sampling we keep the delay $t_d=dT$ constant while $T$
+decreases.
 """
 
 from symhaptic.book.lemmas.faster import SLOW, SOON, farthest, gained, much, not_slow, slow
@@ -24,7 +25,7 @@ def passive(page):
     """The passive stiffness for a given delay in seconds."""
     stiffness = 2 * b / T * tan(pi / (4 * (d + 1)))
     scaled = page.step(
-        "With $T=t_d/d$ the stiffness (11) is a number over the delay",
+        "With $T=t_d/d$ the stiffness (11) is inversely proportional to the delay",
         (stiffness * t_d / b).subs(T, t_d / d),
         2 * d * tan(pi / (4 * (d + 1))),
         name=r"K_{\max}t_d/b",
@@ -41,8 +42,9 @@ def passive(page):
     )
     page.state(
         "faster-sampling",
-        "at $q$ times the rate and the same delay of $d\\ge1$ old periods, every passive wall has "
-        "at most $1+\\frac1d$ times the stiffness of some wall that is passive at the old rate",
+        r"if the rate is $q$ times as high and the delay stays $d\ge1$ old periods, every passive "
+        r"wall has at most $1+\frac1d$ times the stiffness of some wall that is passive at the old "
+        "rate",
         claim=claim(),
     )
     symbols = taken_apart(claim())[0]
@@ -51,8 +53,8 @@ def passive(page):
         "faster-sampling",
         gains_little(),
         example=(ones, fact(whole(S.One))),
-        note=r"for every device, integer delay and integer ratio of rates, by (11) and since $\tan "
-        "x/x$ increases",
+        note="this holds for every device, integer delay and integer ratio of rates, because "
+        r"$\tan x/x$ in (11) increases with $x$",
     )
 
 
@@ -60,9 +62,9 @@ def settled(page):
     """At one period of delay, and at ten."""
     page.say(
         "For stable walls no such bound is shown for all delays. By a significant gain we "
-        "understand a quarter. At ten periods of delay every rate up to ten times is "
-        "checked, by a wall near the tip for the old rate and a bound near the tip for the new "
-        "one, for a free mass and for the arm of Figs. 11 and 12:"
+        "understand a quarter. At ten periods of delay we check every integer ratio of rates up to "
+        "ten, for a free mass and for the arm of Figs. 11 and 12. A stable wall near the tip "
+        "bounds the stiffness at the old rate, and a bound near the tip that at the new rate:"
     )
     page.lemma(
         "With a delay of a hundred periods the stable walls of a free mass have "
@@ -78,9 +80,9 @@ def settled(page):
         unless={SLOW: (SOON, much(then.at(SOON)), not_slow())},
         shows=r"at $d=1$, where the delay is twice the half period of the hold, sampling a hundred "
         r"times as fast gives a free mass more than 3.7 times the stable stiffness",
-        note="for integer delays and ratios of rates, if a quarter is significant; the passive "
-        r"stiffness gains at most $1+1/d$, for every device (\texttt{faster-sampling}); other "
-        "delays are not settled for stable walls",
+        note="this holds for integer delays and ratios of rates, if a quarter is a significant "
+        "gain. The largest passive stiffness of every device grows by a factor of at most $1+1/d$ "
+        r"(\texttt{faster-sampling}). For stable walls other delays are undecided",
     )
 
 
@@ -91,9 +93,9 @@ def heavier(page):
     grown = {m: 2 * m, K: 2 * K, B: 2 * B, b: 2 * b, k: 2 * k}
     page.same("the same loop", physical.xreplace(grown), physical)
     page.say(
-        "With twice the mass, twice the spring and damper of the device and a wall twice as stiff "
-        "and twice as damped, the polynomial $p(z)$ of the loop is the same. The roots, and with "
-        "them every motion, stay as they are; so does $K/m$."
+        "Double the mass, spring and damper of the device, and the stiffness and damping of the "
+        "wall. The polynomial $p(z)$ of the loop does not change. So its roots, every motion, and "
+        "the ratio $K/m$ stay the same."
     )
 
 

@@ -1,7 +1,8 @@
 """Do the damper and the spring of an arm hardly matter?
 
-The paper concludes that neither matters much, inside the range (23). We compare the largest stable
-stiffness with and without them: numerically for delays up to seven periods, and for long delays.
+The paper concludes that neither of them matters much inside the range (23). We compare the largest
+stable stiffness with and without the damper and the spring: numerically for delays up to seven
+periods, and by one spring for long delays.
 """
 
 from symhaptic.book.lemmas.marginal import AT_ONCE, LONG, by_a_factor, changes, none_pushes
@@ -20,8 +21,8 @@ PARTS = {
 def derive(page):
     page.say(
         "For each end of the range (23) a stable wall next to the tip and a bound of all stable "
-        "walls enclose the largest stable stiffness. For an undamped arm with $\\gamma=0.001$ and "
-        "$d=7$, for instance:"
+        "walls enclose the largest stable stiffness. For instance, for an undamped arm with "
+        r"$\gamma=0.001$ and for $d=7$:"
     )
     arm = (Rational(1, 1000), S.Zero)
     wall, stable = wall_below(arm, 7, FINE)
@@ -34,13 +35,13 @@ def derive(page):
         r"Without a damper no wall with $\alpha\ge0$ is stable with the spring "
         r"$(d+1)\sqrt\gamma=\frac\pi2$",
         excluded(),
-        because="as in \\chapter{s5c_robust}; $\\gamma=(\\frac\\pi{100})^2<0.001$ is this "
-        "spring for $d=49$",
+        because=r"\chapter{s5c_robust} proves this; for $d=49$ the spring is "
+        r"$\gamma=(\frac\pi{100})^2<0.001$",
     )
     page.say(
-        "So with long delays neither part is marginal: at $d=49$ no stiffness is stable with "
-        "this spring and without a damper. The effect of the damper and of the spring is not "
-        "bounded by any factor."
+        r"So with long delays neither part is marginal: for $d=49$ no wall with $\alpha\ge0$ is "
+        "stable with this spring and without a damper. No factor bounds the effect of the damper "
+        "and of the spring."
     )
     damping(page)
     spring(page)
@@ -51,11 +52,11 @@ def in_numbers(page, parameter, id):
     name, *ends = PARTS[parameter]
     rows = [[str(n), *row] for n, row in enumerate(zip(*CHANGES[parameter].values(), strict=True))]
     page.table(
-        f"Largest stable stiffness without the {name} over that with it, change in per cent of the "
-        "smaller one, decimals cut off."
+        f"Change of the largest stable stiffness between the arm without and with the {name}, in "
+        "per cent of the smaller one, with truncated decimals."
         if parameter == gamma
-        else f"Growth of the largest stable stiffness by the {name}, in per cent, decimals cut "
-        "off.",
+        else f"Growth of the largest stable stiffness by the {name}, in per cent, with truncated "
+        "decimals.",
         ["$d$", *ends],
         rows,
     )
@@ -65,8 +66,8 @@ def in_numbers(page, parameter, id):
         changes(parameter),
         enclosed=True,
         note=f"the numbers are for {ranges} and the delays 0 to 7, at both ends of the range of "
-        f"the other parameter; whether they are small is left to the reader. With long delays "
-        rf"it is not small: \texttt{{{id.replace('marginal', 'any-delay')}}}",
+        "the other parameter; the reader decides whether they are small. With long delays the "
+        rf"change is not small (\texttt{{{id.replace('marginal', 'any-delay')}}})",
     )
 
 
@@ -85,7 +86,8 @@ def damping(page):
         unless={AT_ONCE: (point, denial)},
         shows=r"at $d=49$, $\gamma=(\pi/100)^2$ no wall with $\alpha\ge0$ is stable without "
         r"damping, and $\alpha=0.0005$ is stable with $\delta=0.02$",
-        note="for integer delays; without delay the factor is less than 1.05 on all of (23)",
+        note="this holds for integer delays; without delay the factor is less than 1.05 on all of "
+        "(23)",
     )
 
 
@@ -105,5 +107,6 @@ def spring(page):
         unless={AT_ONCE: (point, not_all(then.at(point), denial))},
         shows=r"at $d=49$ without damping the spring $\gamma=(\pi/100)^2$ excludes every wall with "
         r"$\alpha\ge0$, and $\alpha=0.0002$ is stable for a free mass",
-        note="for integer delays; without delay the factor is less than 1.05 on all of (23)",
+        note="this holds for integer delays; without delay the factor is less than 1.05 on all of "
+        "(23)",
     )

@@ -1,8 +1,8 @@
 r"""How do the passive and the stable walls scale with the sampling rate and the mass?
 
 Passivity depends neither on the mass nor on the operator, so that its limits scale without
-conditions. The stable walls scale if the operator's $\gamma$ and $\delta$ of Table I stay the same,
-but not if the damper or the spring is constant.
+conditions. The stable walls scale if $\gamma$ and $\delta$ of Table I stay the same, but not if the
+damper or the spring of the operator is constant.
 """
 
 from symhaptic.book.lemmas.mass import no_mass_differs
@@ -32,14 +32,14 @@ SPRUNG = STILL | {K: Rational(686, 1000), B: Rational(8283, 10000), k: Rational(
 
 def derive(page):
     faster = page.lemma(
-        "At $y$ times the rate $y^2K$ and $yB$ are stable where $K$ and $B$ were, with constant "
-        "$bT/m$ and $kT^2/m$",
+        "With constant $bT/m$ and $kT^2/m$ the wall $y^2K$, $yB$ at $y$ times the rate is stable "
+        "if $K$, $B$ is",
         with_the_rate(STIFFER, STRONGER),
     )
     passive = page.lemma(
-        "At $y$ times the rate $yK$ meets (5) where $K$ did",
+        "At $y$ times the rate the stiffness $yK$ satisfies (5) if $K$ does at the old rate",
         with_damping_and_rate()[1],
-        because="at frequencies that are $y$ times as high",
+        because="the condition is the same at frequencies that are $y$ times as high",
     )
     settled(
         page,
@@ -51,7 +51,7 @@ def derive(page):
         note="the part on passivity is exact for every device",
     )
     heavier = page.lemma(
-        "A stable wall grows with the mass, with constant $b/m$ and $k/m$",
+        "With constant $b/m$ and $k/m$ a stable wall grows in proportion to the mass",
         with_the_mass(STIFFER, STRONGER),
     )
     settled(
@@ -74,7 +74,7 @@ def _grown(point, stiffness, damping):
 def performance(page):
     """Stiffness per mass, and all else in proportion."""
     found = page.lemma(
-        "Equal factors of stiffness and mass have no benefit", with_the_stiffness(STIFFER)
+        "Stiffness and mass with the same factor have no benefit", with_the_stiffness(STIFFER)
     )
     point = STILL | {K: S.One, B: S.One, HEAVY: S(2), STIFFER: S(2)}
     page.settle(
@@ -88,15 +88,16 @@ def performance(page):
 def light(page):
     """A hand of less mass."""
     page.say(
-        "A loose grip adds less mass. For a device without damper and spring, the stable walls "
-        "shrink by the factor $(m_D+ym_H)/(m_D+m_H)$ with $y$ times the mass of the arm:"
+        "A loose grip adds less mass to the device. Without damper and spring, the stable walls "
+        "shrink by the factor $(m_D+ym_H)/(m_D+m_H)$ if only the share $y$ of the arm's mass is "
+        "added:"
     )
     found = page.lemma("This factor is larger for a heavier device", lighter_hands())
     page.settle(
         "s6-light-device",
         found,
-        note="for devices without damper and spring, whose stable walls are proportional to the "
-        "mass; which mass is sensible is a matter of judgement and is not settled",
+        note="this is proved for devices without damper and spring, whose stable walls are "
+        "proportional to the mass; which mass is sensible is a matter of judgement",
     )
 
 

@@ -1,8 +1,8 @@
 r"""How does the device respond to a force with a fractional delay?
 
-A delay of $\ell+\varepsilon$ periods, $0\le\varepsilon<1$, changes the held force inside a period:
-for the time $\varepsilon T$ the previous force still acts. The samples of this motion have an exact
-transfer function, which differs from the paper's $z^{-d}$.
+With a delay of $\ell+\varepsilon$ periods, $0\le\varepsilon<1$, the held force changes inside a
+period: for the time $\varepsilon T$ the previous force still acts. The samples of the motion have
+an exact transfer function. It differs from the paper's $z^{-d}$.
 """
 
 from symhaptic.book.lemmas.late_device import exact_late_plant, exact_plant
@@ -15,11 +15,11 @@ def derive(page):
     late, whole = fractional.late(device, split=c), plant.sampled(device, split=c)
     given = {gamma: (delta**2 - c**2) / 4}
     page.say(
-        "In units of mass and period let $\\Phi(t)$ be the motion of the free device and "
-        "$\\Gamma(t)$ its response from rest to a unit force. Over one period a force that "
-        "changes at $\\varepsilon$ acts in two parts: $\\Phi(1)=\\Phi(1-\\varepsilon)"
-        "\\Phi(\\varepsilon)$, and a force that stays the same has $\\Gamma(1)="
-        "\\Gamma(1-\\varepsilon)+\\Phi(1-\\varepsilon)\\Gamma(\\varepsilon)$."
+        r"In units of mass and period let $\Phi(t)$ be the motion of the free device and "
+        r"$\Gamma(t)$ its response from rest to a unit force. Over one period a force that changes "
+        r"at $\varepsilon$ acts in two parts. The free motion satisfies "
+        r"$\Phi(1)=\Phi(1-\varepsilon)\Phi(\varepsilon)$. The response to a constant force "
+        r"satisfies $\Gamma(1)=\Gamma(1-\varepsilon)+\Phi(1-\varepsilon)\Gamma(\varepsilon)$."
     )
     rest = 1 - epsilon
     parts = [device.transition(t, c).xreplace(given) for t in (S.One, rest, epsilon)]
@@ -27,11 +27,12 @@ def derive(page):
     page.same("the free motion", parts[0], parts[1] * parts[2])
     page.same("the held force", pushed[0], pushed[1] + parts[1] * pushed[2])
     page.say(
-        r"The previous force acts first and the force of the sample $\ell$ periods ago last, so "
-        r"that $x_{k+1}=\Phi(1)x_k+\Phi(1-\varepsilon)\Gamma(\varepsilon)F_{k-\ell-1}"
+        r"The previous force acts first. Then the force of the sample $\ell$ periods ago acts, so "
+        "that "
+        r"$x_{k+1}=\Phi(1)x_k+\Phi(1-\varepsilon)\Gamma(\varepsilon)F_{k-\ell-1}"
         r"+\Gamma(1-\varepsilon)F_{k-\ell}$. "
-        "Solved for the position, the sampled device has one more coefficient and one more "
-        "state, the previous force:"
+        "Solved for the position, the sampled device has one more coefficient and one more state, "
+        "the previous force:"
     )
     turning = z * eye(2) - parts[0]
     force = pushed[1] + parts[1] * pushed[2] / z
@@ -41,9 +42,9 @@ def derive(page):
         "The sampled device is exact for every device and continuous in the delay",
         exact_late_plant(),
         boxed=True,
-        because="with the motion $g(t)$ under a unit force from rest, $m_2=g(1-\\varepsilon)$ and "
-        "$m_1=g(2-\\varepsilon)-(1+a)m_2$: with a spring, critically damped, with a damper alone, "
-        "and for the free mass",
+        because=r"$g(t)$ is the motion from rest under a unit force, $m_2=g(1-\varepsilon)$ and "
+        r"$m_1=g(2-\varepsilon)-(1+a)m_2$. This holds for a device with a spring, for critical "
+        "damping, for a damper alone, and for a free mass",
     )
     page.state(
         "fractional-plant",
@@ -54,15 +55,17 @@ def derive(page):
     )
     page.settle("fractional-plant", found)
     page.say(
-        r"The numbers are those of the undelayed device, $n_1(\gamma,\delta)$ and "
-        r"$n_0(\gamma,\delta)$, for the remaining or the elapsed part of the period: a period $x$ "
-        r"times as long has $\gamma x^2$ and $\delta x$. So "
+        r"The coefficients follow from those of the undelayed device, $n_1(\gamma,\delta)$ and "
+        r"$n_0(\gamma,\delta)$, with the remaining or the elapsed part of the period in place of "
+        r"the period. For a period that is $x$ times as long, $\gamma$ becomes $\gamma x^2$ and "
+        r"$\delta$ becomes $\delta x$. So "
         r"$m_2=(1-\varepsilon)^2\,n_1\bigl(\gamma(1-\varepsilon)^2,\delta(1-\varepsilon)\bigr)$, "
         "and the effect of the previous force decays, "
         r"$m_0=\varepsilon^2e^{-\delta(1-\varepsilon)}\,"
         r"n_0\bigl(\gamma\varepsilon^2,\delta\varepsilon\bigr)$. "
-        r"One function is enough for both, $n_0(\gamma,\delta)=e^{-\delta}\,n_1(\gamma,-\delta)$: "
-        "this follows by reversing the time, which changes the sign of the damping."
+        "One function is sufficient for both, because "
+        r"$n_0(\gamma,\delta)=e^{-\delta}\,n_1(\gamma,-\delta)$. This follows by reversing the "
+        "time, which changes the sign of the damping."
     )
 
     def shortened(time):
@@ -76,10 +79,10 @@ def derive(page):
     ):
         page.same("numbers", ours.xreplace(given), theirs.xreplace(given))
     page.lemma(
-        r"A constant force is not affected by the delay, and for $\varepsilon=0$ and "
-        r"$\varepsilon=1$ the coefficients are those of an integer delay",
+        r"The delay does not affect a constant force, and for $\varepsilon=0$ and $\varepsilon=1$ "
+        "the coefficients are those of an integer delay",
         conj(*numbers_of_a_late_device()),
-        because=r"so that $P(1)=1/\gamma$, and $\varepsilon=1$ is one more factor $z^{-1}$",
+        because=r"so $P(1)=1/\gamma$, and $\varepsilon=1$ gives one more factor $z^{-1}$",
     )
     free = fractional.late(plant.normalised(Parts(stiffness=False, damping=False)))
     page.say("For a free mass, $\\gamma=\\delta=0$:")

@@ -20,14 +20,14 @@ def derive(page):
     a, e = symbols("a e")
     bottom, top = z**2 - a * z + e, m_2 * z**2 + m_1 * z + m_0
     push = (alpha + beta) * z - beta
-    page.say("With $A=z^2-az+e$ and $M=m_2z^2+m_1z+m_0$ the loop closes over the wall:")
+    page.say("Let $A=z^2-az+e$ and $M=m_2z^2+m_1z+m_0$. The wall closes the loop:")
     polynomial = page.step(
-        "The characteristic polynomial with a fractional delay",
+        r"The characteristic polynomial with a fractional delay has degree $\ell+4$",
         (1 + top / (z * bottom) * z ** (-l) * push / z) * z ** (l + 2) * bottom,
         z ** (l + 2) * bottom + top * push,
         name="p_1(z)",
-        because=r"it is monic and of degree $\ell+4$: it has one more root than for the integer "
-        r"delay $\ell$",
+        because="the polynomial is monic, and has one more root than with the integer delay "
+        r"$\ell$",
     )
     device = fractional.late(plant.normalised(FULL), split=c)
     numbers = {m_2: device.m2, m_1: device.m1, m_0: device.m0}
@@ -41,8 +41,8 @@ def derive(page):
     found = page.lemma(
         "A loop is stable with a fractional delay if all zeros of this polynomial lie inside",
         polynomial_of_a_late_loop(),
-        because=r"the degree is $\ell+4$, and at both ends it is that of an integer delay, since "
-        "$(m_2,m_1,m_0)$ is $(n_1,n_0,0)$ and $(0,n_1,n_0)$ there",
+        because=r"for $\varepsilon=0$ and $\varepsilon=1$ the polynomial is that of an integer "
+        "delay, since $(m_2,m_1,m_0)$ is $(n_1,n_0,0)$ and $(0,n_1,n_0)$",
     )
     page.state(
         "fractional-polynomial",
@@ -53,7 +53,7 @@ def derive(page):
     )
     page.settle("fractional-polynomial", found, example=EXAMPLE)
 
-    page.say("It is affine in the wall, so that the boundary is explicit again:")
+    page.say(r"The polynomial is affine in $\alpha$ and $\beta$, so that the boundary is explicit:")
     q = -(z ** (l + 1)) * bottom / top
     page.step(
         "A root determines one wall",
@@ -68,12 +68,12 @@ def derive(page):
     boundary = {alpha: real - damping * (1 - cos(theta)), beta: damping}
     residual = on_circle(polynomial).subs(boundary)
     page.step(
-        "Its real and imaginary part are solved by one wall at each angle",
+        "At each angle one wall solves the real and the imaginary part",
         residual,
         S.Zero,
         name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,"
         r"\ \alpha=\Re Q-\beta(1-\cos\theta)}",
-        because=r"for every plant, every integer $\ell$ and every $\varepsilon$",
+        because=r"this holds for every plant, every integer $\ell$ and every $\varepsilon$",
     )
     at_one = Eq(polynomial.subs(z, 1), (n_1 + n_0) * (alpha + gamma))
     total = numbers_of_a_late_device()[0]
@@ -81,9 +81,9 @@ def derive(page):
         r"A root at 1 means $\alpha=-\gamma$",
         combined(at_one, [device_static(assume(DEVICE)), 1], [total, alpha]),
     )
-    page.say("As before, $\\alpha>-\\gamma$ is necessary. There may be a root at $-1$, too:")
+    page.say(r"So $\alpha>-\gamma$ is necessary. There may also be a root at $-1$:")
     page.step(
-        "For even $\\ell$ a root at $-1$ is another line",
+        r"For even $\ell$ the walls with a root at $-1$ lie on a second line",
         polynomial.subs(l, 0).subs(z, -1),
         1 + a + e - (m_2 - m_1 + m_0) * (alpha + 2 * beta),
         name="p_1(-1)",
@@ -92,8 +92,8 @@ def derive(page):
     found = page.lemma(
         "At each angle one wall has a root",
         boundary_is_explicit(),
-        because="the conjugate of the equation is a second one for two real unknowns; where $M=0$ "
-        "no wall moves the root, and $A=0$",
+        because="the equation and its conjugate determine two real unknowns; if $M=0$, also $A=0$, "
+        "and no wall moves the root",
     )
     page.state(
         "fractional-boundary",
@@ -104,8 +104,8 @@ def derive(page):
     )
     page.settle("fractional-boundary", found, example=EXAMPLE)
     page.say(
-        "A root on the unit circle needs $|A|=|M|\\,|(\\alpha+\\beta)z-\\beta|$, where $\\ell$ "
-        "does not occur:"
+        r"A root on the unit circle requires $|A|=|M|\,|(\alpha+\beta)z-\beta|$. This equation "
+        r"does not contain $\ell$:"
     )
     x = cos(theta)
     for title, factor, square in (
@@ -129,9 +129,9 @@ def derive(page):
         name = {bottom: "|A|^2", top: "|M|^2"}.get(factor, "|W|^2")
         page.step(title, value * value.xreplace({I: -I}), square, name=name)
     page.say(
-        r"So the angles of all possible crossings are the roots of a cubic in $\cos\theta$, or of "
-        "a quadratic for integer delays, where $m_0=0$. The cost of a test does not grow with "
-        "the delay."
+        r"So the angles of all possible crossings are the roots of a cubic in $\cos\theta$. For "
+        "integer delays $m_0=0$, and the cubic becomes a quadratic. The cost of a test does not "
+        "grow with the delay."
     )
     free = fractional.late(plant.normalised(Parts(stiffness=False, damping=False)))
     numbers = {m_2: free.m2, m_1: free.m1, m_0: free.m0, a: free.device.a, e: free.device.e}
@@ -143,6 +143,6 @@ def derive(page):
         S.Zero,
         S.Zero,
         name=r"\frac1\theta\Bigl(\frac{Q}{\theta^2}\,e^{-j(\ell+\varepsilon+1/2)\theta}-1\Bigr)",
-        because=r"so the boundary starts with $\beta/\alpha=d+\frac12$: there the linear condition "
-        "(25) is right for fractional delays too",
+        because=r"so the boundary starts with $\beta/\alpha=d+\frac12$. Near the origin the linear "
+        "condition (25) is also right for fractional delays",
     )

@@ -1,9 +1,9 @@
 r"""With a delay of half a period, is every wall stable that is stable in the paper's reading?
 
-For a fractional delay the paper puts $z^{-d}=e^{-jd\theta}$ into the polynomial of a whole one. We
-compare this with the exact polynomial for a free mass and $d=\ell+\tfrac12$. The two boundaries are
-$Q=-z^{\ell+1}A/M$ and $Q_p=-z^dA/N$. Every stable wall is stable in the paper's reading, but not
-conversely.
+For a fractional delay the paper puts $z^{-d}=e^{-jd\theta}$ into the polynomial of an integer
+delay. We compare this with the exact polynomial for a free mass and $d=\ell+\tfrac12$. The two
+boundaries are $Q=-z^{\ell+1}A/M$ and $Q_p=-z^dA/N$. Every stable wall is stable in the paper's
+reading, but not conversely.
 """
 
 from symhaptic.book.lemmas.half_late_circle import (
@@ -31,21 +31,22 @@ def derive(page):
     printed = -(z ** (l + epsilon)) * poles / free.device.numerator
     top = on_circle(free.numerator)
     page.step(
-        "For every fraction $M$ is larger than $N$",
+        "For every fraction $|M|$ is larger than $|N|$",
         top * top.xreplace({I: -I}),
         cos(theta / 2) ** 2 + 4 * epsilon**2 * (1 - epsilon) ** 2 * sin(theta / 2) ** 4,
         name="|M|^2",
-        because="and $|N|^2=\\cos^2\\frac\\theta2$, so that $|Q|\\le|Q_p|$",
+        because=r"$|N|^2=\cos^2\frac\theta2$, so that $|Q|\le|Q_p|$",
     )
     ratio = on_circle(exact / printed)
     page.limit(
-        "Their phases differ by the third power of the angle",
+        "The phases of both boundaries differ by a term of third order in the angle",
         (ratio - real_part(ratio)) / (I * theta**3),
         theta,
         S.Zero,
         epsilon * (1 - epsilon) * (1 - 2 * epsilon) / 12,
         name=r"\frac{1}{\theta^3}\,\Im\frac{Q}{Q_p}",
-        because="the phase of the exact delay is larger below half a period, and smaller above",
+        because=r"the phase of the exact delay is larger for a fraction below $\frac12$, and "
+        r"smaller for a fraction above $\frac12$",
     )
     half, c = {epsilon: S.Half}, cos(theta / 2)
     shrinks = page.step(
@@ -60,21 +61,21 @@ def derive(page):
         on_circle(printed.subs(half)) * exp(-I * (l + 1) * theta),
         4 * sin(theta / 2) ** 2 / c,
         name=r"Q_p\,e^{-j(\ell+1)\theta}",
-        because=r"it is positive, so that both have the phase $(\ell+1)\theta$",
+        because=r"the quotient is positive, so that both have the phase $(\ell+1)\theta$",
     )
     page.step(
         "The two boundaries are farthest apart at $\\ell=0$, $\\theta=\\frac\\pi3$",
         1 - shrinks.subs(theta, pi / 3),
         1 - 4 * sqrt(3) / 7,
         name="1-Q/Q_p",
-        because=r"1.03\,\%; it increases with $\theta$, and on the first arc $\alpha$ ends at "
-        r"$\theta=\pi/(2\ell+3)$",
+        because=r"the difference is 1.03\,\%; it increases with $\theta$, and the first arc ends "
+        r"at $\theta=\pi/(2\ell+3)$",
     )
     page.say(
-        "So the exact boundary is slightly closer to the origin. This compares the first arcs "
-        "only. For the regions we deform the exact loop into that of the paper's reading and "
-        r"follow the roots $\zeta=\sqrt z$ with $\Re\zeta>0$. The two polynomials differ by a term "
-        r"that is small near $\zeta=1$:"
+        "So the exact boundary is slightly closer to the origin. This comparison is for the first "
+        "arcs only. To compare the regions, we deform the exact loop into that of the paper's "
+        r"reading and follow the roots $\zeta=\sqrt z$ with $\Re\zeta>0$. The two polynomials "
+        r"differ by a term that is small near $\zeta=1$:"
     )
     polynomial = fractional.characteristic(Parts(False, False)).subs(half)
     wall = (alpha + beta) * z - beta
@@ -85,25 +86,25 @@ def derive(page):
         on_circle(sqrt(z) * theirs - polynomial),
         on_circle(-late * wall),
         name=r"\zeta\,p_p(\zeta)-p_1(\zeta^2)\big|_{\zeta=e^{j\theta/2}}",
-        because=r"that is $-\tfrac18(\zeta-1)^4\bigl((\alpha+\beta)\zeta^2-\beta\bigr)$; the "
-        "proof multiplies this term by $q$, from 0 to 1; for $q=0$ no root of a stable loop has "
-        r"$|\zeta|\ge1$",
+        because=r"the term is $-\tfrac18(\zeta-1)^4\bigl((\alpha+\beta)\zeta^2-\beta\bigr)$. The "
+        "proof multiplies this term by a factor $q$ from 0 to 1; for $q=0$ no root of a stable "
+        r"loop has $|\zeta|\ge1$",
     )
     page.step(
         "On the circle the term reduces the wall slightly",
         on_circle((free.numerator.subs(half) - q * late) / z),
         (1 + c**2) / 2 - q * (1 - c) ** 2 / 2,
         name=r"\frac{1}{z}\Bigl(M-\frac{q}{8}(\zeta-1)^4\Bigr)",
-        because="the factor is real, so that a root there is a root of the exact loop with a "
-        r"wall $yW$, $W=\alpha+\beta(1-1/z)$ and "
+        because="the factor is real, so that a root on the circle is a root of the exact loop with "
+        r"a wall $yW$. Here $W=\alpha+\beta(1-1/z)$ and "
         r"$1-y=q(1-\cos\frac\theta2)^2/(1+\cos^2\frac\theta2)$",
     )
     page.say(
-        "This is impossible if the wall $W$ itself is stable. The phase of a polynomial of "
-        "degree $n$ with all roots inside increases along the circle at a rate of more than "
-        r"$\frac n2$. At this root $p_1=-(1-y)z^{\ell+2}A/y$, and the phase of $p_1$ rises by "
-        r"$(\ell+3-(1+w)/y)/(1-1/y)$, where $w$ is the rate for $zW$. So "
-        r"$w>\frac12(\ell+2)(1+y)$, which is nearly $\ell+2$, in contradiction to this bound:"
+        "This is impossible if the wall $W$ itself is stable. The phase of a polynomial of degree "
+        r"$n$ with all roots inside increases along the circle at a rate of more than $\frac n2$. "
+        r"At this root $p_1=-(1-y)z^{\ell+2}A/y$, and the phase of $p_1$ rises by "
+        r"$(\ell+3-(1+w)/y)/(1-1/y)$, where $w$ is the rate for $zW$. So $w>\frac12(\ell+2)(1+y)$, "
+        r"which is nearly $\ell+2$. This contradicts the next step:"
     )
     needed = {
         alpha: (sin((l + 2) * theta) - sin((l + 1) * theta)) / sin(theta),
@@ -119,11 +120,17 @@ def derive(page):
         "since $\\beta>0$: $2p_1'(1)-(\\ell+4)p_1(1)=2\\beta-\\ell\\alpha$ is positive, and so is "
         "$p_1(1)=\\alpha$",
     )
-    page.lemma("No root crosses the half circle", no_crossing(), because="at $\\zeta=e^{j\\psi}$")
+    page.lemma(
+        "No root crosses the half circle",
+        no_crossing(),
+        because="the half circle consists "
+        r"of the points $\zeta=e^{j\psi}$",
+    )
     page.lemma(
         "No root crosses the imaginary axis outside the circle",
         on_the_axis(),
-        because="at $\\zeta=je^\\psi$; there $z<0$, and the imaginary part is that of the term",
+        because=r"on the axis $\zeta=je^\psi$ and $z<0$, so that only the term has an imaginary "
+        "part",
     )
     found = page.lemma(
         "Every stable wall is stable in the paper's reading",
@@ -143,8 +150,8 @@ def derive(page):
     found = page.lemma(
         "Some wall is stable in the paper's reading and unstable",
         one_error(),
-        because="between the two boundaries, $(\\alpha,\\beta)=(\\tfrac1{15},\\tfrac{16}{15})$ "
-        "for $\\ell=0$, by balls around all roots",
+        because=r"the wall $(\alpha,\beta)=(\tfrac1{15},\tfrac{16}{15})$ lies between the two "
+        r"boundaries for $\ell=0$, and balls around all roots prove both parts",
     )
     page.state(
         "fractional-half-mass-apart",

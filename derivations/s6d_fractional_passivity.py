@@ -1,8 +1,8 @@
 r"""When is a wall with a fractional delay passive?
 
 With a delay of $\ell+\varepsilon$ periods the force changes inside a period, so that the motion
-within the period matters. Which inequality ensures that no motion extracts energy, and what is its
-limit for integer delays?
+within the period matters. We ask which inequality ensures that no motion extracts energy, and what
+this inequality becomes for integer delays.
 """
 
 from symhaptic.book.lemmas.late_passivity import condition_at_every_angle, passive_at_every_angle
@@ -18,10 +18,10 @@ def derive(page):
     rest = 1 - epsilon
     page.say(
         "Consider the device while one force is held. Its displacement in this time is $p_k$. "
-        r"After $(1-\varepsilon)T$ the wall takes its next sample; let the position then differ "
-        r"by $q_k$ from the value $(1-\varepsilon)p_k$ of a motion at constant speed. In both "
-        r"parts, of the durations $(1-\varepsilon)T$ and $\varepsilon T$, the dissipation is "
-        "smallest at constant speed:"
+        r"After $(1-\varepsilon)T$ the wall takes its next sample; let the displacement at this "
+        r"sample differ by $q_k$ from the value $(1-\varepsilon)p_k$ of a motion at constant "
+        r"speed. The sample divides the period into two parts, of the durations $(1-\varepsilon)T$ "
+        r"and $\varepsilon T$. In each part the dissipation is smallest at constant speed:"
     )
     page.step(
         "A damper dissipates at least this energy, times $T/b$",
@@ -29,14 +29,14 @@ def derive(page):
         p_k**2 + q_k**2 / (epsilon * rest),
     )
     page.say(
-        "The position at the beginning is $p/(z-1)$, so the sample is "
-        "$(1/(z-1)+1-\\varepsilon)p+q$, and the force that belongs to it comes $\\ell+1$ periods "
-        "later. Per period and at one angle the energy that damper and wall absorb is "
-        "$\\tfrac bT(|p|^2+|q|^2/(\\varepsilon(1-\\varepsilon)))"
-        "+\\Re\\{G\\,(\\ldots p+q)\\,\\bar p\\}$ with $G=z^{-\\ell-1}H$."
+        "The position at the beginning of a period is $p/(z-1)$, so the sample is "
+        r"$(1/(z-1)+1-\varepsilon)p+q$. The force that belongs to this sample acts $\ell+1$ "
+        r"periods later. At one angle damper and wall absorb in each period the energy $\tfrac "
+        r"bT(|p|^2+|q|^2/(\varepsilon(1-\varepsilon)))+\Re\{G\,(\ldots p+q)\,\bar p\}$ with "
+        r"$G=z^{-\ell-1}H$."
     )
     page.step(
-        "The sample is taken between two integer delays",
+        "The sample is a mean of the samples of two integer delays",
         1 / (z - 1) + rest,
         rest * z / (z - 1) + epsilon / (z - 1),
         because=r"the delays are $\ell$ and $\ell+1$ periods, with the weights $1-\varepsilon$ "
@@ -44,21 +44,22 @@ def derive(page):
     )
     form = fractional.energy_form()
     straight = page.step(
-        "The required damping of a motion with $q=0$",
+        "A motion with $q=0$ requires this damping",
         b - T * form[0, 0],
         KERNEL * (rest * sin((l + HALF) * theta) + epsilon * sin((l + 3 * HALF) * theta))
         - B * (rest * cos((l + 1) * theta) + epsilon * cos((l + 2) * theta)),
         name=N,
-        because="the negative of the energy that the wall receives from such a motion, times $T$",
+        because="the required damping is $-T$ times the energy that the wall receives from such a "
+        "motion",
     )
     page.step(
-        "The required damping at an angle for an integer delay $d$",
+        "For an integer delay $d$ a motion at an angle requires this damping",
         b - passivity.margin(),
         passivity.dirichlet_form(),
         name=NEED(d),
     )
     page.step(
-        "The required damping is a mean of those of two integer delays",
+        "For $q=0$ the required damping is a mean of those of two integer delays",
         straight,
         rest * NEED(l) + epsilon * NEED(l + 1),
         name=N,
@@ -74,30 +75,31 @@ def derive(page):
     det = form[0, 0] * form[1, 1] - form[0, 1] * form[1, 0]
     margin = b * (b - straight) - epsilon * rest * square / 4
     page.step(
-        "The form in $p$ and $q$ is positive with its determinant",
+        "The form in $p$ and $q$ is positive if its determinant is positive",
         det * T**2 * epsilon * rest,
         b * (b - N) - epsilon * rest * square / 4,
         name=r"\varepsilon(1-\varepsilon)T^2\det",
-        because=r"as its corner $b/(T\varepsilon(1-\varepsilon))$ is positive; the second term is "
-        r"the "
-        "maximal gain by a deviation $q$",
+        because=r"its coefficient of $|q|^2$, $b/(T\varepsilon(1-\varepsilon))$, is positive; the "
+        "second term is the maximal gain by a deviation $q$",
         boxed=True,
     )
     root = (u + sqrt(u**2 + w)) / 2
     page.step(
-        "Solved for the damping there is one positive solution",
+        "Exactly one positive damping makes the determinant zero",
         root * (root - u) - w / 4,
         S.Zero,
         name=r"\det\big|_{b=\frac12(n+\sqrt{n^2+\varepsilon(1-\varepsilon)T^2|H|^2})}",
-        because="the other solution is not positive, since the product of both is not",
+        because="the other solution is not positive, since the product of both solutions is not "
+        "positive",
     )
     page.same("as in the model", margin, fractional.margin())
     page.say(
-        r"Which angles matter? With $\psi=\theta/2$ write $r^2=w^2+u^2\cot^2\psi$ for the wall "
-        r"$u=KT/(2b)$, $w=(B+KT/2)/b$, and $\varrho^2=1-4\varepsilon(1-\varepsilon)\sin^2\psi$ "
-        r"for the delay. Both fall with $\theta$ if $K\ge0$. The size of the wall is "
-        r"$T|H|=2br\sin\psi$, and $n=br\varrho\cos\varphi$ with some phase $\varphi$; below, $x$ "
-        r"stands for $\varrho$."
+        r"We ask which angles decide. Let $\psi=\theta/2$. For the wall let $u=KT/(2b)$, "
+        r"$w=(B+KT/2)/b$ and $r^2=w^2+u^2\cot^2\psi$. For the delay let "
+        r"$\varrho^2=1-4\varepsilon(1-\varepsilon)\sin^2\psi$. Both $r$ and $\varrho$ fall with "
+        r"$\theta$ if $K\ge0$. The size of the wall is $T|H|=2br\sin\psi$, and "
+        r"$n=br\varrho\cos\varphi$ with some phase $\varphi$. In the next steps $x$ stands for "
+        r"$\varrho$."
     )
     page.step(
         "In $u$ and $w$ the size of the wall falls with the angle",
@@ -107,16 +109,16 @@ def derive(page):
     )
     need_ = r * (1 + x) / 2
     page.step(
-        "The damping $\\tfrac12(1+x)\\,br$ is enough at every angle",
+        r"The damping $\tfrac12(1+x)\,br$ is sufficient at every angle",
         need_**2 - need_ * r * x * cos(phi) - (1 - x**2) * r**2 / 4,
         r**2 * x * (1 + x) * (1 - cos(phi)) / 2,
         name=r"\frac{1}{b^2}\Bigl(b(b-n)-\ldots\Bigr)",
-        because=r"the difference is never negative, and zero for $\varphi=0$. Angles beyond "
-        r"the first one with $\varphi=0$ therefore require no more damping",
+        because=r"the difference is never negative, and is zero for $\varphi=0$. Therefore angles "
+        r"beyond the first one with $\varphi=0$ require no more damping",
     )
     for title, end, delay in (
-        ("Without a fraction it is the condition of the delay $\\ell$", 0, l),
-        ("At a full period it is the condition of the delay $\\ell+1$", 1, l + 1),
+        (r"For $\varepsilon=0$ the condition is that of the delay $\ell$", 0, l),
+        (r"For $\varepsilon=1$ the condition is that of the delay $\ell+1$", 1, l + 1),
     ):
         page.step(
             title,
@@ -125,14 +127,15 @@ def derive(page):
             name=rf"b(b-n)\big|_{{\varepsilon={end}}}",
         )
     page.say(
-        "As for integer delays it is sufficient to consider motions that return to their start "
-        r"if $K\ge0$: the energy of the spring can be recovered by a slow return, with "
-        "arbitrarily little dissipation. At equality no energy is gained either."
+        "As for integer delays it is sufficient to consider motions that return to their start if "
+        r"$K\ge0$: a slow return recovers the energy of the spring with arbitrarily little "
+        "dissipation. Also in the case of equality no motion gains energy."
     )
     found = page.lemma(
-        "No motion extracts energy if and only if this holds at every angle",
+        "No motion extracts energy if and only if the determinant is not negative at any angle",
         passive_at_every_angle(),
-        because="the sum over all motions is not negative where the form is not, at every angle",
+        because="the absorbed energy of a motion is a sum of the form over all angles, so it is "
+        "not negative if the form is not negative at any angle",
     )
     page.state(
         "fractional-passivity",

@@ -1,7 +1,8 @@
 """Is a passive wall with a fractional delay stable?
 
-For integer delays it is stable, because the motion that belongs to a root on the unit circle would
-extract energy. We consider the same motion with a force that changes within the period.
+For integer delays a passive wall is stable, because the motion that belongs to a root on the unit
+circle would extract energy. We consider the same motion with a force that changes within the
+period.
 """
 
 from symhaptic.book.lemmas.half_late_passive import DAMPER, passive_with
@@ -16,10 +17,10 @@ from symhaptic.notation import q_k
 
 def derive(page):
     page.say(
-        r"Let a root lie at $z=e^{j\theta}$, and follow the motion that belongs to it, in units "
-        r"of mass and period. The force $F$ of a sample acts from $\varepsilon$ on, and $F/z$ "
-        "before. The state is multiplied by $z$ in every period, and its samples are those of "
-        "the device, $x_0/F=M(z)/(zA(z))$."
+        r"Let a root lie at $z=e^{j\theta}$, and follow the motion that belongs to it, in units of "
+        r"mass and period. In each period the force $F$ acts from $\varepsilon$ on, and the "
+        "previous force $F/z$ acts before. The state is multiplied by $z$ in every period, and its "
+        "samples are those of the device, $x_0/F=M(z)/(zA(z))$."
     )
     device = plant.normalised(Parts())
     given = {gamma: (delta**2 - c**2) / 4}
@@ -44,24 +45,25 @@ def derive(page):
         "The damper dissipates at least this energy",
         ((1 - epsilon) * p_k + q_k) ** 2 / (1 - epsilon) + (epsilon * p_k - q_k) ** 2 / epsilon,
         p_k**2 + q_k**2 / (epsilon * (1 - epsilon)),
-        because="while one force is held, as in \\chapter{s6d_fractional_passivity}. Equality "
-        "requires a constant speed in each of the two parts",
+        because="the bound holds while one force is held, as in "
+        r"\chapter{s6d_fractional_passivity}. Equality requires a constant speed in each of the "
+        "two parts",
     )
     page.say(
         "So the energy that damper and wall absorb, the form in $p$ and $q$ of "
         r"\chapter{s6d_fractional_passivity}, is negative for this motion: equality would require "
         "a constant speed at all times, that is $z=1$. (For $p=q=0$ the device is at rest.) But "
-        "for a passive wall the form is nowhere negative, and the condition is concave in the "
+        "for a passive wall the form is not negative at any angle. The condition is concave in the "
         "scale $y$ of a wall $yW$:"
     )
     margin, whole, part = delta**2 - delta * x - w / 4, x, y
     page.step(
-        "The condition for $yW$ is at least the linear interpolation between 0 and $W$",
+        "The margin of $yW$ is at least the linear interpolation between the margins of 0 and $W$",
         delta**2 - part * delta * whole - part**2 * w / 4,
         (1 - part) * delta**2 + part * margin + part * (1 - part) * w / 4,
         name=r"D\big|_{yW}",
-        because="here $x$ stands for $n$ and $w$ for $\\varepsilon(1-\\varepsilon)|H|^2$, which is "
-        "not negative",
+        because=r"$x$ stands for $n$, and $w$ for $\varepsilon(1-\varepsilon)|H|^2$, which is not "
+        "negative",
     )
     page.lemma(
         "A passive wall, and every smaller multiple of it, has no root on the circle except at 1",
@@ -72,9 +74,8 @@ def derive(page):
     found = page.lemma(
         "Passive walls are stable with every delay",
         late_passive_is_stable(),
-        because=r"at $z=1$ no root crosses either, as $p_1(1)=(n_1+n_0)(y\alpha+\gamma)$: scaled "
-        r"from "
-        "zero, all roots stay inside",
+        because=r"no root crosses at $z=1$ either, since $p_1(1)=(n_1+n_0)(y\alpha+\gamma)$. So "
+        "all roots stay inside while the wall is scaled from zero",
         boxed=True,
     )
     page.state(

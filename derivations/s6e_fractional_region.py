@@ -1,8 +1,8 @@
 """Is the paper's passivity condition safe for a fractional delay?
 
 In (5) to (11) the paper uses a fractional $d$ in formulas that are exact for integer delays. We
-compare them with the exact condition in two cases of the paper: at low frequencies and without
-stiffness.
+compare these formulas with the exact condition in two cases of the paper: at low frequencies and
+without stiffness.
 """
 
 from symhaptic.book.figures.fractional import passive_regions
@@ -20,20 +20,19 @@ def derive(page):
         "negative at any angle."
     )
     low = page.limit(
-        "At low frequencies it is (9) with one more term",
+        "At low frequencies the condition is (9) with one more term",
         margin / b,
         theta,
         S.Zero,
         b + B - K * T * (l + epsilon + HALF) - epsilon * rest * (K * T) ** 2 / (4 * b),
         name="D/b",
-        because=r"with the delay $d=\ell+\varepsilon$: the lower part of the boundary is not a "
-        r"line "
-        "but an arc of a parabola, tangent to it at $(0,-b)$",
+        because=r"the delay is $d=\ell+\varepsilon$. The lower part of the boundary is not the "
+        "straight part (8), (9) but an arc of a parabola that touches it at $(0,-b)$",
     )
     page.state(
         "fractional-low-frequencies",
-        r"every passive wall satisfies the condition below, and for $0<\varepsilon<1$ no wall "
-        "with $K>0$ on the straight part (8), (9) does",
+        r"every passive wall satisfies the following condition, and for $0<\varepsilon<1$ no wall "
+        "with $K>0$ on the straight part (8), (9) satisfies it",
         r"b + B \geq KT(\ell+\varepsilon+\tfrac{1}{2}) "
         r"+ \frac{\varepsilon(1-\varepsilon)K^2T^2}{4b}",
         claim=low_frequencies(),
@@ -49,8 +48,8 @@ def derive(page):
     without_stiffness(page, margin / b**2)
     page.figure(
         "passive-fractional",
-        "Passive walls for two fractional delays: exact (shaded), by the paper's (7) (dashed), "
-        "and for the next integer delay (dotted).",
+        "Passive walls for two fractional delays: the exact region (shaded), the paper's (7) "
+        "(dashed), and the region for the next integer delay (dotted).",
         passive_regions,
     )
 
@@ -61,8 +60,8 @@ def without_stiffness(page, share):
     loss = epsilon * rest * sin(theta / 2) ** 2
     mixed = rest * sin(one) * cos(one) + epsilon * sin(two) * cos(two)
     page.say(
-        "Without stiffness the condition is quadratic in $B$, and concave. At two dampings it is a "
-        "sum of squares, by the identity of Lagrange:"
+        "Without stiffness $D$ is quadratic in $B$, and concave. At two dampings $D$ is a sum of "
+        "squares, by the identity of Lagrange:"
     )
     for title, damping, form in (
         ("The damping $-b$ is passive", -b, sin),
@@ -75,8 +74,9 @@ def without_stiffness(page, share):
         "For every fractional delay the passive damping ranges from $-b$ to more than $b$",
         damping_late(),
         because=r"for $\theta\ge\pi/(2(\ell+2))$ the last term of $D$ leaves a positive margin at "
-        r"$B=b$; for smaller angles no cosine is negative. At $\theta\to0$ it is $D=b(b+B)$, and "
-        r"at $\theta=\pi/(\ell+2)$ no damping beyond $b/\varepsilon$ is passive",
+        r"$B=b$; for smaller angles no cosine is negative. For $\theta\to0$ the condition is "
+        r"$D=b(b+B)\ge0$, and at $\theta=\pi/(\ell+2)$ no damping beyond $b/\varepsilon$ is "
+        "passive",
         boxed=True,
     )
     page.state(
@@ -90,5 +90,5 @@ def without_stiffness(page, share):
         found,
         example=POINT,
         note="the paper gives $(0,-b)$ and $(0,b)$ for every delay; with a delay of half a period "
-        r"the end is $1.296\,b$",
+        r"the passive damping ends at $1.296\,b$",
     )

@@ -1,8 +1,8 @@
 """How stiff can a passive wall be with any delay?
 
-For half a period the limit is a root of a polynomial of degree six. With any delay, the walls that
-require exactly the damping of the device at an angle lie on a circle, and a passive wall cannot be
-stiffer than the stiffest wall of this circle.
+With a delay of half a period the largest passive stiffness is a root of a polynomial of degree six.
+With any delay, the walls that require exactly the damping of the device at one angle lie on a
+circle. A passive wall cannot be stiffer than the stiffest wall of this circle.
 """
 
 from symhaptic.book.lemmas.late_passivity import EVERY_MARGIN, GIVEN, LATE, WALL, passive_late
@@ -16,10 +16,11 @@ HALF = theta / 2
 
 def derive(page):
     page.say(
-        r"With $\psi=\theta/2$ and $\kappa=\varepsilon(1-\varepsilon)$ the condition of "
-        r"\chapter{s6d_fractional_passivity} has two means of the delays $\ell$ and $\ell+1$, "
-        r"$S=(1-\varepsilon)\sin(\ell+1)\theta+\varepsilon\sin(\ell+2)\theta$ and $C$, the same "
-        "of cosines. They are the real and imaginary part of a number of known size:"
+        r"Let $\psi=\theta/2$ and $\kappa=\varepsilon(1-\varepsilon)$. The condition of "
+        r"\chapter{s6d_fractional_passivity} contains two means over the delays $\ell$ and "
+        r"$\ell+1$: $S=(1-\varepsilon)\sin(\ell+1)\theta+\varepsilon\sin(\ell+2)\theta$, and $C$ "
+        "with cosines in place of sines. They are the imaginary and the real part of a number of "
+        "known size:"
     )
     page.step(
         r"The squares of both means add up to $1-4\kappa\sin^2\psi$",
@@ -28,9 +29,9 @@ def derive(page):
         name="1-S^2-C^2",
     )
     sine, cosine = symbols("S C")
-    page.define("The fraction enters by a product", kappa, SHARE)
-    page.define("The mean of two sines is this", sine, UP)
-    page.define("The mean of two cosines is this", cosine, ALONG)
+    page.define(r"The fraction enters through the product $\kappa$", kappa, SHARE)
+    page.define("The number $S$ is a mean of two sines", sine, UP)
+    page.define("The number $C$ is a mean of two cosines", cosine, ALONG)
     across = kappa * K * T * sin(HALF) * cos(HALF) + b * sine
     along = kappa * (K * T + 2 * B) * sin(HALF) ** 2 - b * cosine
     page.step(
@@ -38,13 +39,13 @@ def derive(page):
         4 * SHARE * sin(HALF) ** 2 * fractional.margin(),
         b**2 - across**2 - along**2,
         name=r"4\kappa\sin^2\psi\,\Bigl(b(b-n)-\tfrac\kappa4T^2|H|^2\Bigr)",
-        because=r"the coordinates are $KT\cos\psi$ and $(KT+2B)\sin\psi$, and the radius is "
+        because=r"in the coordinates $KT\cos\psi$ and $(KT+2B)\sin\psi$ the radius is "
         r"$b/(\kappa\sin\psi)$. A passive wall lies inside the circles of all angles",
     )
     found = page.lemma(
         "No passive wall is stiffer than the stiffest wall of a circle",
         bounded_at_every_angle(),
-        because="the first square is not above $b^2$, so that its root is not above $b$",
+        because="the first of the squares is at most $b^2$, so that its root is at most $b$",
         boxed=True,
     )
     page.state(
@@ -59,9 +60,9 @@ def derive(page):
     allowed = SHARE * K * T * sin(theta) <= 2 * b * (1 - UP)
     page.settle("fractional-stiffness-bound", allowed, found, example=point)
     page.say(
-        "The smallest bound is at the angle at which its derivative vanishes. The wall there has "
-        "the stiffness of the bound. A numerical test, but no proof, shows that it satisfies the "
-        "condition at all other angles."
+        "The smallest bound is at the angle at which the derivative of the bound vanishes. At this "
+        "angle one wall of the circle has the stiffness of the bound. A numerical test, but no "
+        "proof, shows that this wall satisfies the condition at all other angles."
     )
     page.step(
         "The slope of the bound has the sign of a sum",

@@ -19,8 +19,8 @@ def derive(page):
         r"For an integer delay, \chapter{s3a_passivity_condition} gives the required damping "
         r"$b_{\min}(\theta)$: a wall is passive if $K\ge0$ and $b\ge b_{\min}(\theta)$ at every "
         r"angle. Let $\psi=\theta/2$, $u=KT/(2b)$ and $w=(B+KT/2)/b$, and $N=2(\ell+2)$ for the "
-        r"next integer delay $\ell+1$. At one angle write $w=r\sin\kappa$ and "
-        r"$u\cot\psi=r\cos\kappa$. For $K>0$ that is possible with $r>0$ and "
+        r"next integer delay $\ell+1$. At one angle we define $r$ and $\kappa$ by $w=r\sin\kappa$ "
+        r"and $u\cot\psi=r\cos\kappa$. For $K>0$ these equations have a solution with $r>0$ and "
         r"$|\kappa|<\frac\pi2$."
     )
     polar = {K: 2 * b * u / T, B: b * (w - u), theta: 2 * psi}
@@ -31,7 +31,8 @@ def derive(page):
         need,
         r * sin(N * psi - kappa),
         name=r"b_{\min}\big|_{d=\ell+1}/b",
-        because="we write $\\chi=N\\psi-\\kappa$; for $\\ell$ it is $r\\sin(\\chi-2\\psi)$",
+        because=r"$\chi=N\psi-\kappa$; for the delay $\ell$ the required damping is "
+        r"$r\sin(\chi-2\psi)$",
     )
     share = (fractional.margin() / b**2).subs(polar).subs(turned)
     page.step(
@@ -45,29 +46,29 @@ def derive(page):
         r"$\ell+\varepsilon$ if $K\ge0$ and $f\ge0$ at every angle. We call $f$ the margin",
     )
     page.say(
-        r"Let the next integer delay be passive: $r\sin\chi\le1$ at all angles. Where "
-        r"$\chi\ge\frac\pi2$, look at the smaller angle $\psi'$ with $N\psi'=\frac\pi2+\kappa$. "
-        r"The required value there, $\cos\kappa\,u\cot\psi'+w\sin\kappa$, is not less than the "
-        r"same with $\cot\psi$, which is $r$: so $r\le1$."
+        r"Let the wall be passive at the next integer delay: $r\sin\chi\le1$ at all angles. If "
+        r"$\chi\ge\frac\pi2$, consider the smaller angle $\psi'$ with $N\psi'=\frac\pi2+\kappa$. "
+        r"At $\psi'$ the wall requires $\cos\kappa\,u\cot\psi'+w\sin\kappa$. This number is at "
+        r"least $r$, as $\cot\psi'\ge\cot\psi$. So $r\le1$."
     )
     page.lemma(
-        "Where $\\chi\\ge\\frac\\pi2$ the margin is a sum of squares",
+        r"The margin is a sum of squares for $\chi\ge\frac\pi2$",
         beyond(room(r)),
         because="$r\\le1$",
     )
     page.lemma(
-        r"Where $\frac12\psi\le\chi<\frac\pi2$ the margin is a sum of terms that are not negative",
+        r"The margin is a sum of terms that are not negative for $\frac12\psi\le\chi<\frac\pi2$",
         before(room(r * sin(N * psi - kappa))),
         because="$r\\sin\\chi\\le1$",
     )
     page.lemma(
-        r"Where $\chi<\frac12\psi$ the margin is again such a sum",
+        r"The margin is a sum of terms that are not negative for $\chi<\frac12\psi$",
         low(room(r * sin(kappa))),
-        because=r"$\kappa$ lies between $(N-\frac12)\psi$ and $\frac\pi2$, and at $N\psi=\pi$ the "
-        r"integer delay requires $w=r\sin\kappa$, so that this is at most 1",
+        because=r"$\kappa$ lies between $(N-\frac12)\psi$ and $\frac\pi2$. At $N\psi=\pi$ the "
+        r"integer delay requires $w=r\sin\kappa$, so $r\sin\kappa\le1$",
     )
     found = page.lemma(
-        "Rounding the delay up to an integer is safe",
+        "A delay that is rounded up to an integer is safe",
         safe_when_rounded_up(),
         because="these three cases prove $f\\ge0$ for $K>0$. For $K=0$ the passive values of $B$ "
         "begin at $-b$ with every delay. They end at $b$ with the next integer delay, and not "
@@ -84,7 +85,7 @@ def derive(page):
         "fractional-next-whole",
         found,
         example=(NOTHING, nothing_is_passive()),
-        note="so (5) to (9) and (11) are safe with $d$ rounded up",
+        note="so (5) to (9) and (11) are safe if $d$ is rounded up",
     )
 
 

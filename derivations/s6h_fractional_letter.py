@@ -1,8 +1,8 @@
 r"""Which polynomial do the paper's curves for $d=1/4$ and $d=1/2$ belong to?
 
 With $d=r/q$ the paper turns $z^{-d}$ into a polynomial by substituting $z=\zeta^q$. Taken
-literally, all its roots have to lie inside the unit circle, which is impossible for the walls of
-the figures.
+literally, all roots of this polynomial have to lie inside the unit circle. This is impossible for
+the walls of the figures.
 """
 
 from symhaptic.book.lemmas.chords import PI
@@ -16,10 +16,10 @@ from symhaptic.proof.theorems.roots import opposite
 def derive(page):
     page.say(
         r"In $\zeta$ the polynomial is "
-        r"$\zeta^{q+r}A(\zeta^q)+N(\zeta^q)((\alpha+\beta)\zeta^q-\beta)$, of degree $3q+r$. On "
-        r"each of the $q$ sheets the wall has another phase, a multiple of $2\pi d$. Let $q$ be "
-        r"even, as in all fractions of the paper. Then $r$ is odd, and $\zeta=-1$ gives $z=1$ "
-        "but $z^d=-1$: on this sheet the wall has the opposite sign."
+        r"$\zeta^{q+r}A(\zeta^q)+N(\zeta^q)((\alpha+\beta)\zeta^q-\beta)$, of degree $3q+r$. Each "
+        r"of the $q$ values of $\zeta$ for one $z$ gives the wall a different phase, a multiple of "
+        r"$2\pi d$. Let $q$ be even, as in all fractions of the paper. Then $r$ is odd, and "
+        r"$\zeta=-1$ gives $z=1$ but $z^d=-1$. At this point the wall has the opposite sign."
     )
     static, total = device_static(assume(DEVICE)), n_1 + n_0
     for power, wall, title, because in (
@@ -44,15 +44,16 @@ def derive(page):
 
 def settle_literal(page):
     found = page.lemma(
-        "Taken literally, a stable wall is bounded by the spring of the device if $q$ is even",
+        "Taken literally, the spring of the device bounds the stiffness of a stable wall if $q$ is "
+        "even",
         within_the_spring(),
-        because="all zeros of $p_1(-\\zeta)$ lie inside, too, so that both values above have the "
-        "sign of the highest power",
+        because=r"all zeros of $p_1(-\zeta)$ also lie inside, so that both values have the sign of "
+        "the highest power",
     )
     page.state(
         "fractional-literal",
-        r"taken literally, for even $q$, a wall is stable only if $|\alpha|<\gamma$: never "
-        "without a physical spring",
+        r"taken literally, for even $q$, a wall is stable only if $|\alpha|<\gamma$; without a "
+        "physical spring no wall is stable",
         claim=only_within_the_spring(),
     )
     idle = {alpha: HALF / 5, beta: HALF / 5, gamma: S.One, delta: S.One, p: S.Zero, q: S.Zero}
@@ -61,24 +62,24 @@ def settle_literal(page):
 
 def settle_figures(page):
     page.say(
-        r"In Fig. 11 $\gamma=0.001$, $\delta=0.02$, and the text says that the passive regions "
-        r"lie inside the stable ones. By (11) they extend to $\alpha=0.023$ for $d=\frac12$, 23 "
-        r"times as far as the stable walls of this reading, and farther for $d=\frac14$. Sec. V-C "
-        r"deals with walls that are stable for all $\gamma\ge0$, but in this reading no wall is "
-        r"stable at $\gamma=0$."
+        r"In Fig. 11 $\gamma=0.001$, $\delta=0.02$, and the text says that the passive regions lie "
+        r"inside the stable ones. By (11) the passive regions extend to $\alpha=0.023$ for "
+        r"$d=\frac12$, and farther for $d=\frac14$. This is 23 times as far as the stable walls of "
+        r"the literal reading. Sec. V-C is about walls that are stable for all $\gamma\ge0$, but "
+        r"in the literal reading no wall is stable for $\gamma=0$."
     )
     page.state(
         "fractional-figures",
         "the curves of Fig. 11 and Fig. 13 for fractional delays are not those of the polynomial "
-        "taken literally: in Fig. 11 a wall that meets (5) would not be stable, and in Fig. 13 "
-        "no wall would be",
+        "taken literally: with this polynomial some wall of Fig. 11 that satisfies (5) is not "
+        "stable, and no wall of Fig. 13 is stable",
         claim=not_those_drawn(),
     )
     page.settle(
         "fractional-figures",
         drawn_otherwise(),
-        note="Fig. 4 is (7), the principal sheet; the text does not say whether the others are "
-        "drawn from it or from the exact plant",
+        note="Fig. 4 shows (7), which uses the principal sheet; the text does not say whether the "
+        "other figures use it or the exact plant",
     )
 
 

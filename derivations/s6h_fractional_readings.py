@@ -1,7 +1,8 @@
 r"""Is the principal sheet of $z^{-d}$ right for a stiff spring?
 
 The paper may mean only those roots of the polynomial in $\zeta$, $z=\zeta^q$, for which $\zeta$ is
-the principal root of $z$. This differs from a delayed force, too, and we ask by how much.
+the principal root of $z$ (the principal sheet). The loop of a delayed force differs from this
+reading, and we ask by how much.
 """
 
 from symhaptic.book.figures.fractional import stable_readings
@@ -12,8 +13,9 @@ from symhaptic.book.lemmas.principal import both_errors, read_wrongly
 def derive(page):
     page.say(
         "For soft springs the principal sheet is close to the exact polynomial, as for the free "
-        r"mass. But Fig. 13 goes up to the Nyquist frequency. Take $\sqrt\gamma=\frac23\pi$, "
-        r"$\delta=0$, $d=\frac12$, and $x=\alpha/\gamma$, $y=\beta/\gamma$:"
+        "mass. But Fig. 13 contains springs up to the Nyquist frequency. Take "
+        r"$\sqrt\gamma=\frac23\pi$, $\delta=0$, $d=\frac12$, and $x=\alpha/\gamma$, "
+        r"$y=\beta/\gamma$:"
     )
     swinging = plant.normalised(Parts(damping=False))
     spring = {gamma: 4 * pi**2 / 9}
@@ -28,7 +30,7 @@ def derive(page):
     page.step("The exact polynomial has four roots", made, exact, name="p_1(z)")
     theirs = zeta**3 * device.denominator + device.numerator * gamma * there
     page.step(
-        r"The paper's polynomial has seven, with $\zeta=\sqrt z$",
+        r"The paper's polynomial in $\zeta=\sqrt z$ has seven roots",
         theirs.subs(z, zeta**2).subs(spring),
         letter,
         name=r"p_1(\zeta)",
@@ -38,22 +40,23 @@ def derive(page):
         exact.subs(z, -1),
         1 + x + 2 * y,
         name="p_1(-1)",
-        because="the region ends at the line $x+2y=-1$",
+        because="the stable region ends at the line $x+2y=-1$",
     )
     page.step(
         "The paper's polynomial has no root at $z=-1$",
         letter.subs(zeta, I),
         -I,
         name=r"p_1(\zeta)\big|_{\zeta=j}",
-        because="this is never zero, so the region has no such border. The same is true for every "
-        "device and "
-        r"fractional $d$, as the imaginary part is $\pm(1+a+e)\sin\pi d$",
+        because="the value at $z=-1$ is never zero, so the line is not a border of the region. The "
+        "same holds for every device and fractional $d$, since the imaginary part is "
+        r"$\pm(1+a+e)\sin\pi d$",
     )
     found = page.lemma(
-        "Both errors occur: one wall is stable on the principal sheet only, and one is not "
-        "stable on it but stable",
+        "The principal sheet errs in both directions: it calls one unstable wall stable and one "
+        "stable wall unstable",
         both_errors(),
-        because="by balls around all roots, of which the sheet has those with $\\Re\\zeta>0$",
+        because="balls around all roots prove this; the principal sheet has the roots with "
+        r"$\Re\zeta>0$",
         boxed=True,
     )
     page.state(
@@ -66,7 +69,8 @@ def derive(page):
     page.figure(
         "stable-fractional",
         "Stable walls with a delay of half a period, for a stiff spring with some damping "
-        r"($\gamma=4\pi^2/9$, $\delta=\frac12$): exact (shaded), on the principal sheet, and for "
-        "all sheets, where the wall and its negative have to be stable on the principal one.",
+        r"($\gamma=4\pi^2/9$, $\delta=\frac12$): the exact region (shaded), the region on the "
+        "principal sheet, and the region on all sheets. On all sheets a wall is stable if the wall "
+        "and its negative are stable on the principal sheet.",
         stable_readings,
     )

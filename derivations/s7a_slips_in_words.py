@@ -7,8 +7,8 @@ sections, tables, captions and references show what is meant.
 
 def derive(page):
     page.say(
-        "These entries compare one place of the text with another. They are not theorems and are "
-        "not counted as such."
+        "These entries compare one place of the text with another. They are not theorems and do "
+        "not count as theorems."
     )
     page.say("Section IV is headed Stability. The conclusion is Section VI.")
     page.settle_slip(

@@ -15,7 +15,7 @@ def derive(page):
         r"end of the interval is right for every $\delta$."
     )
     page.step(
-        "At the end of the range",
+        r"At $\delta=0.02$ the limit exceeds $\pi^2$ by $0.0001$",
         (delta**2 / 4).subs(delta, END),
         Rational("0.0001"),
         name=r"\tfrac14\delta^2\big|_{\delta=0.02}",

@@ -1,7 +1,7 @@
 """Is a wall stable whose stiffness is at most twice the damping over the period?
 
-Colgate and Schenkel derived this passivity limit for a wall without virtual damping and delay. The
-rule is also used for walls with a delay. For which walls is it safe?
+Colgate and Schenkel derived this passivity limit for a wall without virtual damping and delay. Some
+also use the rule for walls with a delay. We ask for which walls it is safe.
 """
 
 from symhaptic.book.lemmas.circulation import outside, twice_the_damping
@@ -13,14 +13,15 @@ RULE = "rules:twice-damping"
 def derive(page):
     given = taken_apart(page.claim(RULE))[1]
     found = page.lemma(
-        "Without delay a wall $K\\le2b/T$, $B=0$ is stable with every mass and every spring",
+        r"Without delay a wall with $K\le2b/T$ and $B=0$ is stable with every mass and every "
+        "spring",
         twice_the_damping(given[-1]),
         because="the margin of passivity is $b-\\frac12KT$ at every angle, and a passive wall is "
         "stable",
         boxed=True,
     )
     page.say(
-        r"With one period of delay the passive limit is 41\,\% of this stiffness. With $m=T=1$, "
+        r"With one period of delay the passive limit is 41\,\% of $2b/T$. With $m=T=1$, "
         r"$b=\frac12$ and one period of delay the wall $K=1$ is not even stable."
     )
     still = {B: S.Zero, k: S.Zero, T: S.One, m: S.One, K: S.One, b: S.Half}
@@ -35,5 +36,6 @@ def derive(page):
         example=still | {d: S.Zero},
         unless={Eq(d, 0): (still | {d: S.One}, outside(late))},
         shows=r"$m=T=1$, $b=\tfrac12$: the wall $K=2b/T$ is unstable with one period of delay",
-        note="safe without delay for every mass and every arm, and passive",
+        note="without delay the walls of the rule are passive, and stable with every mass and "
+        "every arm",
     )

@@ -1,6 +1,6 @@
-r"""Is a wall stable whose stiffness is below four or two masses over the squared period?
+"""Is a wall stable whose stiffness is below four or two masses over the squared period?
 
-Both rules depend on the mass and the period, and neither on damping nor on delay. We test them with
+Both rules depend on the mass and the period only, and not on damping or delay. We test them with
 the simplest device, a free mass without delay.
 """
 

@@ -1,7 +1,7 @@
-r"""Is a wall stable whose stiffness is below $2B/T-B^2T/(2m)$?
+"""Is a wall stable whose stiffness is below $2B/T-B^2T/(2m)$?
 
-The rule is found in simulation code for the spring and the damper of a contact, without delay. A
-free mass has an exact limit, which we derive beside it.
+Simulation code uses this rule for the spring and the damper of a contact, without delay. For a free
+mass we derive the exact limit and compare the rule with it.
 """
 
 from symhaptic.book.lemmas.circulation import damped_contact, free_mass, outside
@@ -15,24 +15,24 @@ WALL = {K: S.One, B: S.One, T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero}
 def derive(page):
     [right] = read(RIGHT)
     page.lemma(
-        "Without delay a wall with a free mass is stable if four inequalities hold", free_mass()
+        "Without delay a wall of a free mass is stable if four inequalities hold", free_mass()
     )
     found = page.lemma(
         "A free mass is stable below a stiffness that depends on the virtual damping",
         damped_contact(right),
-        because="the last inequality is the rule, and the others follow",
+        because="the last inequality is this limit, and the others follow from it",
         boxed=True,
     )
     page.say(
-        "As published the rule subtracts a damping, $B^2T/(2m)$, from a stiffness: its number "
-        "depends on the unit of time. Even with $B^2/(2m)$, which has the unit of a stiffness, "
-        "it allows more than is stable:"
+        "As published the rule subtracts a damping, $B^2T/(2m)$, from a stiffness, so that the "
+        "result depends on the unit of time. Even with $B^2/(2m)$, which has the unit of a "
+        "stiffness, the rule allows unstable walls:"
     )
     page.step(
         "With consistent units the rule allows too much",
         2 * B / T - B**2 / (2 * m) - right.rhs,
         B**2 * (6 * m - B * T) / (2 * m * (2 * m + B * T)),
-        because="the difference is positive for $BT<4m$, the range in which the rule allows any "
+        because="the difference is positive for $BT<4m$; for larger $B$ the rule allows no "
         "stiffness",
     )
     driven = {alpha: S.One, beta: S.One, gamma: S.Zero, delta: S.Zero, d: S.Zero}

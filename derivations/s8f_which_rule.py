@@ -1,7 +1,7 @@
 """Which rule should one use, and when?
 
 The table lists the rules of this part and the exact limits, ordered by the parameters that they
-require. All are for $K>0$, and each is safe in the stated range.
+require. All of them are for $K>0$, and each is safe in the stated range.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -10,12 +10,12 @@ from symhaptic.book.lemmas.prelude import *
 def derive(page):
     page.say(
         "If only the damping of the device is known, use a passive wall, which is stable with "
-        "every arm. If the mass is known as well, a stiffer wall is possible, but its limit "
-        "depends on the delay."
+        "every arm. If the mass is also known, a stiffer wall is possible, but its limit depends "
+        "on the delay."
     )
     page.table(
-        "From the simplest rule to the largest limit; $b$ is the damping of the device, and "
-        "$d=t_d/T$ is an integer.",
+        "Rules for the stiffness, from the simplest rule to the largest limit; $b$ is the damping "
+        "of the device, and $d=t_d/T$ is an integer.",
         ["known", "delay", "virtual damping", "limit of the stiffness"],
         [
             ["$b$, $T$", "none", "$B=0$", "$K\\le2b/T$"],
@@ -27,17 +27,17 @@ def derive(page):
     )
     undelayed = {d: S.Zero, B: S.Zero}
     page.step(
-        "Without delay and virtual damping the second row is the first",
+        "Without delay and virtual damping the second row equals the first row",
         ((b + B) / (T * (d + Rational(1, 2)))).subs(undelayed),
         2 * b / T,
         name=K,
     )
     page.step(
-        "Without delay the third row is the first",
+        "Without delay the third row equals the first row",
         (2 * b / T * tan(pi / (4 * (d + 1)))).subs(undelayed),
         2 * b / T,
         name=K,
-        because="there the rule is the largest passive stiffness",
+        because="without delay the first rule is the largest passive stiffness",
     )
     page.say(
         "A multiple of $m/T^2$ is never a limit by itself: without damping no stiffness is "

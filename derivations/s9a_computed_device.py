@@ -1,8 +1,8 @@
-"""Are the computed coefficients of the device the derived ones?
+"""Are the computed coefficients of the device equal to the derived ones?
 
-The coefficients of the sampled device are quotients that are 0/0 without a spring and at critical
-damping, and lose digits near these cases. The computed form consists of entire functions, which
-have power series everywhere. We prove that both forms are equal.
+The coefficients of the sampled device are quotients. Without a spring and at critical damping they
+are 0/0, and near these cases they lose digits. The computed form consists of entire functions,
+which have power series everywhere. We prove that both forms are equal.
 """
 
 from symhaptic.book.lemmas.computed import settle, upright
@@ -51,11 +51,11 @@ GIVEN = {gamma: SPRING}
 def derive(page):
     page.say(
         r"Let $c=\sqrt{\delta^2-4\gamma}$ be the difference of the poles of the device, so that "
-        r"$\gamma=(\delta^2-c^2)/4$. Six functions of $\gamma$ and $\delta$ are computed. Each is "
-        "even in $c$, so that the sign of the root does not matter, and none has a pole: where "
-        "the formula divides by zero, the function has its limit."
+        r"$\gamma=(\delta^2-c^2)/4$. The program computes six functions of $\gamma$ and $\delta$. "
+        "Each function is even in $c$, so that the sign of the root does not matter. None has a "
+        "pole: if the formula divides by zero, the value of the function is the limit."
     )
-    page.define("The spring by the difference of the poles", gamma, SPRING)
+    page.define("The difference $c$ of the poles gives the spring", gamma, SPRING)
     for own, title in OWN:
         page.define(title, upright(own(gamma, delta)), in_poles(own(gamma, delta)))
     exact = plant.sampled(plant.normalised(FULL), split=c)
@@ -70,16 +70,27 @@ def derive(page):
         page.step(title, derived, factor * upright(own(gamma, delta)), name=left)
     page.say(
         r"These functions are accurate, but the formulas above are not. For $\gamma$ and $\delta$ "
-        r"near "
-        "$10^{-6}$ the numerator of PlantN1 is a difference of numbers near 1 of the size "
-        r"$\gamma/2$, so that nine or ten of sixteen digits remain; the power series begins with "
-        r"$\frac12$ and loses none. In the same way $1-a+e$ is not computed as a sum of numbers "
-        r"near 1, $-2$ and 1, and $n_1-n_0$ not as a difference of two numbers near $\frac12$. "
-        r"$1-e$ is computed as $\delta$ times the following function."
+        r"near $10^{-6}$ the numerator of PlantN1 is of the size $\gamma/2$, but it is a "
+        "difference of numbers near 1. So only nine or ten of sixteen digits remain. The power "
+        r"series begins with $\frac12$ and loses no digits. For the same reason separate functions "
+        "compute $1-a+e$, which is otherwise a sum of numbers near 1, $-2$ and 1, and $n_1-n_0$, "
+        r"which is otherwise a difference of two numbers near $\frac12$. The program computes "
+        r"$1-e$ as $\delta$ times the following function."
     )
     loss, free = Decay.definition(delta), Creep.definition(delta)
-    page.define("The loss of speed over the damping", upright(Decay(delta)), loss)
-    page.limit("Without a damper it is 1", loss, delta, S.Zero, S.One, name=upright(Decay(delta)))
+    page.define(
+        "The function Decay is the loss of speed divided by the damping",
+        upright(Decay(delta)),
+        loss,
+    )
+    page.limit(
+        "Without a damper the function Decay is 1",
+        loss,
+        delta,
+        S.Zero,
+        S.One,
+        name=upright(Decay(delta)),
+    )
     page.limit(
         "Without a spring $n_1$ is that of a mass with a damper",
         computed()[0].xreplace(GIVEN),
@@ -87,7 +98,7 @@ def derive(page):
         delta,
         free,
         name=upright(PlantN1(gamma, delta)),
-        because="so that $\\gamma$ tends to 0",
+        because=r"$c$ tends to $\delta$, so that $\gamma$ tends to 0",
     )
     page.limit(r"For a free mass $n_1=\frac12$", free, delta, S.Zero, S.Half)
     critical = plant.sampled(plant.Plant(S.One, delta, delta**2 / 4)).n1
@@ -103,12 +114,12 @@ def derive(page):
         page,
         "discretize",
         (DISCRETE,),
-        "the computed numbers $n_1$, $n_0$, $a$ and $e$ of the device are those of its "
-        "transition matrix, wherever neither form divides by zero",
+        "the computed numbers $n_1$, $n_0$, $a$ and $e$ of the device are those of its transition "
+        "matrix if neither form divides by zero",
     )
     page.say(
-        "The coefficients of the characteristic polynomial are polynomials in these four "
-        "numbers, as in (18). They are computed for one integer delay at a time; the theorem has "
+        "The coefficients of the characteristic polynomial are polynomials in these four numbers, "
+        "as in (18). The program computes them for one integer delay at a time; the theorem is for "
         "$d=2$."
     )
     settle(
@@ -124,15 +135,15 @@ def derive(page):
 def _conditions(page):
     q, loss = symbols("q L")
     page.say(
-        "Verdicts are computed from the same numbers. Jury's inequalities are computed from "
-        "$L=1-e$ and $q=1-a+e$:"
+        "The stability test uses the same numbers. It computes Jury's inequalities from $L=1-e$ "
+        "and $q=1-a+e$:"
     )
     page.step(
-        "The denominator as a function of the loss $L$ and of its value $q$ at 1",
+        "The denominator is a function of the loss $L$ and of its value $q$ at 1",
         z**2 - (2 - loss - q) * z + 1 - loss,
         (z - 1) ** 2 + (loss + q) * (z - 1) + q,
-        because="for low frequencies both numbers are small, and $a$ and $e$, near 2 and 1, would "
-        "lose most of their digits",
+        because="for low frequencies $L$ and $q$ are small; a difference of $a$ and $e$, which are "
+        "near 2 and 1, loses most of these digits",
     )
     settle(
         page,

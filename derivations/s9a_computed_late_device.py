@@ -1,7 +1,7 @@
-"""Are the computed coefficients with a fractional delay the derived ones?
+"""Are the computed coefficients with a fractional delay equal to the derived ones?
 
-With a fractional delay the device has three coefficients instead of two. They are computed from the
-response in both parts of the period, and so are the inputs of the stability test.
+With a fractional delay the device has three coefficients instead of two. The program computes these
+coefficients, and the inputs of the stability test, from the response in both parts of the period.
 """
 
 from symhaptic.book.lemmas.computed import settle
@@ -12,49 +12,50 @@ from symhaptic.model.parts import FULL
 from symhaptic.notation import c, gamma
 
 GIVEN = {gamma: SPRING}
-UNDEFINED = "wherever neither form divides by zero"
+UNDEFINED = "if neither form divides by zero"
 
 
 def derive(page):
     page.say(
         r"With a fractional delay $\varepsilon$ of a period the previous force acts for the time "
         r"$\varepsilon$, and the new one for the rest. Each part is a shorter period, with "
-        r"$\gamma$ and $\delta$ in its units, so that the same functions apply: $m_2$ is "
-        r"$(1-\varepsilon)^2$ times PlantN1 of $\gamma(1-\varepsilon)^2$ and "
-        r"$\delta(1-\varepsilon)$, and $m_0$ is $\varepsilon^2e^{-\delta(1-\varepsilon)}$ times "
-        r"PlantN0 of $\gamma\varepsilon^2$ and $\delta\varepsilon$: the displacement of the "
-        "previous force decays in the rest of the period. The third number is "
-        "$m_1=n_1+n_0-m_2-m_0$."
+        r"$\gamma$ and $\delta$ in its units, so that the same functions apply. The coefficient "
+        r"$m_2$ is $(1-\varepsilon)^2$ times PlantN1 of $\gamma(1-\varepsilon)^2$ and "
+        r"$\delta(1-\varepsilon)$. The coefficient $m_0$ is "
+        r"$\varepsilon^2e^{-\delta(1-\varepsilon)}$ times PlantN0 of $\gamma\varepsilon^2$ and "
+        r"$\delta\varepsilon$, since the effect of the previous force decays in the rest of the "
+        "period. The third coefficient is $m_1=n_1+n_0-m_2-m_0$."
     )
     late = fractional.late(plant.normalised(FULL), split=c)
     first, last = (in_parts(x).xreplace(GIVEN) for x in fractional_delay.ends(FULL))
     page.same("m_2", first, late.m2.xreplace(GIVEN))
     page.same("m_0", last, late.m0.xreplace(GIVEN))
     page.say(
-        "At $z=-1$ the numerator $M$ is $m_2-m_1+m_0$, in which large numbers can cancel. It is "
-        "computed from both parts of the period. Let $x$, $y$ and $g$ be the displacement under "
-        "a force, the further displacement and their difference, and $k$ the impulse response; "
-        "the index 1 is for the rest of the period and 2 for its beginning. With the loss "
-        r"$L_1=1-e^{-\delta(1-\varepsilon)}$ of speed in the rest it is $g_1-g_2+y_1(\delta "
-        r"k_2+\gamma x_2)-L_1y_2+\gamma x_1x_2-2k_1k_2$. Where $M$ nearly vanishes at $-1$, each "
-        "of these terms is small."
+        "At $z=-1$ the numerator $M$ is $m_2-m_1+m_0$, in which large numbers can cancel. The "
+        "program computes this value from both parts of the period. Let $x$ be the displacement "
+        "under a force, $y$ the further displacement, $g$ their difference, and $k$ the impulse "
+        "response. The index 1 stands for the rest of the period and 2 for its beginning. Let "
+        r"$L_1=1-e^{-\delta(1-\varepsilon)}$ be the loss of speed in the rest of the period. The "
+        r"value at $-1$ is $g_1-g_2+y_1(\delta k_2+\gamma x_2)-L_1y_2+\gamma x_1x_2-2k_1k_2$. If "
+        "$M$ nearly vanishes at $-1$, each of these terms is small."
     )
     gap, across = (LATE.block.written_out()[place] for place in (3, 5))
     page.same("gap", gap.left, gap.right)
     page.say(
         r"A lightly damped device with $\omega_dT$ near an odd multiple of $\pi$ is an exception: "
-        "there these terms are much larger than their sum. Let $c$ be the difference of the "
-        r"poles, $h=\delta/2$ and $u=\frac12-\varepsilon$. Then every term of another sum "
+        "for this device these terms are much larger than their sum. Let $c$ be the difference of "
+        r"the poles, $h=\delta/2$ and $u=\frac12-\varepsilon$. Then every term of another sum "
         r"vanishes with the damping or with $\cosh(c/4)$, which is $\cos(\omega_dT/2)$:"
     )
     turned = LATE.block.written_out()[6]
     page.same("the gap near odd multiples of pi", turned.left, turned.right)
     page.say(
-        r"The boundary also contains the difference of $m_2$ and $m_0$. For $\omega_dT$ near a "
-        r"multiple of $2\pi$ both are nearly equal, and their small difference matters at low "
-        "frequencies. With the impulse response $k$ of the whole period, and $L=1-e$, "
-        r"$2(m_2-m_0)$ is computed as $k(2k_1+\delta x_1)+(1-a+e+L)x_1-2n_0$. All its terms are "
-        "small there: without damping $k$, $1-a+e$, $n_0$ and $L$ are zero."
+        r"The boundary also contains the difference of $m_2$ and $m_0$. If $\omega_dT$ is near a "
+        r"multiple of $2\pi$, both are nearly equal, and their small difference matters at low "
+        "frequencies. Let $k$ be the impulse response of the whole period, and $L=1-e$. The "
+        r"program computes $2(m_2-m_0)$ as $k(2k_1+\delta x_1)+(1-a+e+L)x_1-2n_0$. All terms of "
+        r"this sum are small near the multiples of $2\pi$: without damping $k$, $1-a+e$, $n_0$ and "
+        "$L$ are zero at the multiples."
     )
     page.same("across", across.left, across.right)
     settle(
@@ -67,23 +68,22 @@ def derive(page):
         f"{UNDEFINED}",
     )
     page.say(
-        "For any delay, roots are counted from the angles at which device and wall have the same "
-        r"size; these do not depend on the delay, see \chapter{s4d_roots_counted}. The inputs of "
-        "the count are proved here. The count itself is computed by an algorithm. Tests compare "
-        "its result with enclosed roots."
+        "For any delay, the program counts the roots from the angles at which device and wall have "
+        r"the same size. These angles do not depend on the delay (\chapter{s4d_roots_counted}). "
+        "This chapter proves that the inputs of the count are right. Tests compare the result of "
+        "the count with enclosed roots."
     )
     settle(
         page,
         "unstable_roots",
         (ALL, LATE),
-        "all numbers that the count of roots is given, of the device and of what is late, are the "
-        f"derived ones, {UNDEFINED}",
+        "all inputs of the count of roots, those of the device and those of the delayed force, are "
+        f"the derived ones, {UNDEFINED}",
     )
     settle(
         page,
         "is_stable",
         (ALL, LATE),
-        "all inputs of the stability test are the derived ones, "
-        f"{UNDEFINED}: it asks for the same count, for $\\alpha>-\\gamma$, and for a device that "
-        "is not left swinging",
+        f"all inputs of the stability test are the derived ones, {UNDEFINED}; the test uses the "
+        r"same count, requires $\alpha>-\gamma$, and excludes a device that keeps oscillating",
     )

@@ -1,8 +1,8 @@
 """The computed required damping equals the derived one
 
 The required damping at an angle is a quotient of sines that is 0/0 at the angle 0, and its slope is
-a difference of such quotients. Both are computed with functions that have no pole there, without
-rounding the product of angle and delay.
+a difference of such quotients. The program computes both with functions that have no pole at the
+angle 0. It does not round the product of angle and delay.
 """
 
 from symhaptic.book.lemmas.computed import settle, upright
@@ -26,16 +26,19 @@ FIRST = {
 
 
 def derive(page):
-    page.say("Five functions are computed, one of an angle, and four of a delay and an angle:")
+    page.say(
+        "The program computes five functions: one function of an angle, and four functions of "
+        "a delay and an angle:"
+    )
     page.define(
         "The function Sinc, a sine over its angle", upright(Sinc(psi)), Sinc.definition(psi)
     )
     for of, title in TURNED:
         page.define(title, upright(of(d, theta)), of.definition(d, theta))
     page.say(
-        "At the angle 0 each function has its limit. The numerators of the last two are "
-        "differences of sines that cancel up to the third power of the angle; at "
-        r"$\theta=10^{-5}$ none of sixteen digits would remain."
+        "At the angle 0 the value of each function is its limit. The numerators of the last two "
+        "functions are differences of sines that cancel up to the third power of the angle. At "
+        r"$\theta=10^{-5}$ such a difference would keep none of sixteen digits."
     )
     for of, first in FIRST.items():
         page.limit(
@@ -52,9 +55,9 @@ def derive(page):
 
 def _at_an_angle(page):
     page.say(
-        "For an integer delay (5) gives the margin at one angle. The sine in it, of "
-        r"$(d+\frac12)\theta$, is computed as that of $2d+1$ half angles, whose product is not "
-        "rounded:"
+        "For an integer delay (5) gives the margin at one angle. The margin contains the sine of "
+        r"$(d+\frac12)\theta$. The program computes it as the sine of $2d+1$ half angles and does "
+        "not round this product:"
     )
     margin = passivity.margin().xreplace(UNITS)
     page.step(
@@ -66,9 +69,9 @@ def _at_an_angle(page):
         name=r"\delta-\delta_\mathrm{min}",
     )
     page.say(
-        r"For a delay of $\ell+\varepsilon$ periods the damping $n$ that a motion with $q=0$ "
-        r"requires is the mean of those for the integer delays $\ell$ and $\ell+1$. One sine and "
-        r"one cosine of $(\ell+1)\theta$ are sufficient:"
+        r"For a delay of $\ell+\varepsilon$ periods a motion with $q=0$ requires a damping $n$, "
+        r"which is the mean of the required dampings for the integer delays $\ell$ and $\ell+1$. "
+        r"One sine and one cosine of $(\ell+1)\theta$ are sufficient:"
     )
     page.step(
         "The required damping for $q=0$ contains one sine and one cosine",
@@ -92,10 +95,10 @@ def _at_an_angle(page):
 
 def _at_the_worst(page):
     page.say(
-        r"The worst angle is searched for, up to the angle 0, with $\psi=\theta/2$. The required "
-        "damping for $q=0$ contains a quotient of two Sinc. Its derivative with respect to "
-        r"$\psi$ is $\psi$ times a number that does not vanish with the angle. So the sign of "
-        "the derivative is computed accurately near 0 as well:"
+        r"A search finds the worst angle, which may be 0. Let $\psi=\theta/2$. The required "
+        "damping for $q=0$ contains a quotient of two values of Sinc. Its derivative with respect "
+        r"to $\psi$ is $\psi$ times a number that does not vanish with the angle. So the program "
+        "computes the sign of the derivative accurately, also near 0:"
     )
     whole = straight(l)
     page.step(
@@ -105,17 +108,16 @@ def _at_the_worst(page):
         name="n",
     )
     page.step(
-        r"Its slope contains the factor $\psi$",
+        r"The slope of the required damping contains the factor $\psi$",
         whole.diff(psi),
         upright(psi * required_damping.steepness(l)),
         name=r"\frac{dn}{d\psi}",
     )
     page.say(
-        r"With a delay of $\ell+\varepsilon$ periods $n$ is the mean of those for the two "
-        "neighbouring integer delays, and the required damping is the positive root of "
-        r"$b^2-bn-\varepsilon(1-\varepsilon)s/4$, with the square "
-        r"$s=\alpha^2+4\beta(\alpha+\beta)\sin^2\psi$ of the wall's size. $s$ is computed as a "
-        "sum of positive terms:"
+        r"With a delay of $\ell+\varepsilon$ periods the required damping is the positive root of "
+        r"$b^2-bn-\varepsilon(1-\varepsilon)s/4$. Here $s=\alpha^2+4\beta(\alpha+\beta)\sin^2\psi$ "
+        "is the square of the wall's size. The program computes $s$ as a sum of terms that are not "
+        "negative:"
     )
     size = fractional.stiffness_squared(2 * psi).xreplace(UNITS)
     page.step(

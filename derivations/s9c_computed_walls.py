@@ -1,7 +1,8 @@
-"""Are the computed walls on the passivity boundary the derived ones?
+"""Are the computed walls on the passivity boundary equal to the derived ones?
 
-The envelope of the passive walls, the stiffest of them and the linear condition are quotients whose
-denominators vanish with the angle. They are computed as quotients of functions that do not.
+The formulas for the envelope of the passive walls, for the passive wall of maximum stiffness and
+for the linear condition are quotients whose denominators vanish with the angle. The program uses
+quotients of functions that do not vanish with the angle.
 """
 
 from symhaptic.book.lemmas.computed import settle, upright
@@ -10,15 +11,15 @@ from symhaptic.book.lemmas.stable_walls import LATE_STIFFEST, LINEAR, STIFFEST, 
 from symhaptic.forms.entire import Chord, Sinc, SinNext, Spread
 
 UNITS = {K: alpha, B: beta, T: S.One, b: delta}
-UNDEFINED = "wherever neither form divides by zero"
+UNDEFINED = "if neither form divides by zero"
 
 
 def derive(page):
     stiffness, damping = (side.xreplace(UNITS) for side in passivity.envelope())
     page.say(
-        "A wall on the passivity boundary is a point of the envelope. Its denominator and its "
-        "numerators vanish with the third power of the angle; divided by it they are Spread, "
-        "Chord and a product:"
+        "A wall on the passivity boundary is a point of the envelope. The denominator and the "
+        "numerators of the point vanish with the third power of the angle. Divided by this power "
+        "they are Spread, Chord and a product:"
     )
     push = (d + 1) * Sinc(theta / 2) ** 2 * SinNext(d, theta) / theta
     quotients = 2 * delta * push / Spread(d, theta), delta * Chord(d, theta) / Spread(d, theta)
@@ -26,13 +27,13 @@ def derive(page):
         title = f"The function {type(of).__name__} has the closed form"
         page.define(title, upright(of), of.definition(*of.args))
     page.step(
-        "Its stiffness is a quotient without a pole at 0",
+        "The stiffness of the wall is a quotient without a pole at 0",
         stiffness,
         upright(quotients[0]),
         name=alpha,
     )
     page.step(
-        "Its damping is a quotient without a pole at 0",
+        "The damping of the wall is a quotient without a pole at 0",
         damping,
         upright(quotients[1]) - alpha / 2,
         name=beta,
@@ -42,36 +43,36 @@ def derive(page):
         "passivity_boundary",
         (TOUCHED,),
         "with integer delays the computed wall on the passivity boundary is the point of the "
-        "envelope, "
-        f"{UNDEFINED}; with a fractional delay it is found by a search with the required damping "
-        "and its slope",
+        f"envelope, {UNDEFINED}; with a fractional delay a search finds the wall with the required "
+        "damping and its slope",
     )
     page.say(
-        r"The stiffest of these walls has $\theta=\pi/(2(d+1))$, where $\cos(d+1)\theta$ "
-        "vanishes. Its stiffness is a tangent, and its damping is a difference without "
-        "cancellation:"
+        r"The stiffest of these walls has the angle $\theta=\pi/(2(d+1))$, at which "
+        r"$\cos(d+1)\theta$ vanishes. The stiffness of this wall is a tangent, and its damping is "
+        "a difference without cancellation:"
     )
     page.step(
-        "The damping of the passive wall of maximum stiffness",
+        "The passive wall of maximum stiffness has a damping without a pole",
         damping.subs(theta, WORST),
         delta / ((d + 1) * sin(WORST)) - delta * tan(WORST / 2),
         name=r"\beta|_{\theta=\pi/(2(d+1))}",
     )
     page.say(
-        r"With a fractional delay each angle bounds the stiffness "
+        "With a fractional delay each angle bounds the stiffness "
         r"(\chapter{s6f_stiffest_passive_wall}), and the wall with the smallest of these bounds is "
-        "computed. Near integer delays $1-S$, $C$ and "
-        r"$\varepsilon(1-\varepsilon)$ vanish together there, so that the wall is written with "
-        "quantities that do not vanish: where the slope of the bound vanishes,"
+        r"computed. Near integer delays $1-S$, $C$ and $\varepsilon(1-\varepsilon)$ vanish "
+        "together at this wall. The program therefore uses quantities that do not vanish. At the "
+        "angle at which the slope of the bound vanishes:"
     )
     settle(
         page,
         "max_passive_stiffness",
         (STIFFEST, LATE_STIFFEST),
-        "with integer delays the computed passive wall of maximum stiffness is (11), with "
-        "its damping; with a fractional delay the stiffest wall of an angle requires exactly the "
-        "damping of the device there, for every virtual damping. At the angle at which the slope "
-        "of its stiffness vanishes, found by a search, the computed wall is this one",
+        "with integer delays the computed passive wall of maximum stiffness is (11), with its "
+        "damping; with a fractional delay the computed wall of an angle requires exactly the "
+        "damping of the device at this angle, for every virtual damping. A search finds the angle "
+        "at which the slope of the stiffness vanishes, and the computed wall at this angle is the "
+        "stiffest wall of the angle",
     )
     need = passivity.margin().xreplace(UNITS)
     page.limit(
@@ -86,6 +87,6 @@ def derive(page):
         page,
         "linear_limit",
         (LINEAR,),
-        "the computed stiffness of the linear condition is the derived one, (25): with it the "
-        "margin tends to 0 with the angle",
+        "the computed stiffness of the linear condition is the derived one, (25): with this "
+        "stiffness the margin tends to 0 with the angle",
     )

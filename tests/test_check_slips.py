@@ -113,6 +113,7 @@ SLIPS = [
         lambda alpha, beta, delta, d: passive(2 * alpha, beta, delta, d),
         "alpha is taken twice",
     ),
+    ("is_stable", lambda *wall: False, "every result is 0"),
     (
         "stability_boundary",
         lambda theta, *rest: bound(radians(theta), *rest),

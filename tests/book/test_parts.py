@@ -48,7 +48,7 @@ def test_a_theorem_rests_on_those_of_its_page_and_not_on_what_is_behind_them():
         if one.title == "The wall of (11) is passive and has the maximum stiffness"
     ]
     found = rests([tip.theorem], shown)
-    assert [one.title for one in found.shown] == ["No passive wall is stiffer"]
+    assert [one.title for one in found.shown] == ["No passive wall is stiffer than (11)"]
     assert said(tip.theorem) in shown
 
 

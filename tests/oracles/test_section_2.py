@@ -71,7 +71,7 @@ def test_at_rest_the_wall_is_a_spring():
     def agrees(stiffness):
         assert np.allclose(force, number(stiffness, K=K) * x[1:], rtol=1e-15, atol=0)
 
-    only(agrees, shown("s2b_wall", "A wall at rest is its spring alone"))
+    only(agrees, shown("s2b_wall", "At a constant position the wall is its spring alone"))
 
 
 @guards("s2c_delay")

@@ -43,7 +43,7 @@ def test_what_two_systems_take_in_comes_from_outside():
         pairs = zip(force, speed, strict=True)
         assert sum(number(power, F=F, v=v) for F, v in pairs) == pytest.approx(taken, rel=1e-12)
 
-    only(agrees, shown(CHAPTER, "Two coupled systems receive only what comes from outside"))
+    only(agrees, shown(CHAPTER, "Two coupled systems receive energy only from outside"))
 
 
 @guards("s3_interconnection")

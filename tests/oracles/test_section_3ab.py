@@ -49,7 +49,7 @@ def test_four_steps_against_a_spring():
     def agrees(energy_of_steps):
         assert number(energy_of_steps, b=b, K=K, T=T, p_k=p) == pytest.approx(found, rel=1e-14)
 
-    only(agrees, shown("s3_energy", "Four equal steps against a spring take out this energy"))
+    only(agrees, shown("s3_energy", "Damper and spring receive this energy in four equal steps"))
     # a pulling spring gives energy away however strong the damper is, if the motion is long
     assert energy.left(-0.1, 0.0, periods=60) < 0 < energy.left(-0.1, 0.0, periods=10)
 
@@ -194,7 +194,7 @@ def test_the_two_ends_of_the_margin():
 
     only(
         agrees,
-        shown("s3b_rise", "At the lower end the margin is a line"),
+        shown("s3b_rise", r"For $\psi\to0$ the margin has a linear limit"),
         shown("s3b_rise", r"At $N\psi=\pi$ the condition depends on $w$ only"),
     )
 

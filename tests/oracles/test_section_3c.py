@@ -86,7 +86,8 @@ def test_damping_over_delay_is_the_limit_of_low_frequencies():
     only(
         agrees,
         shown(
-            "s3c_linear_part_condition", "Solved for the stiffness the line is damping over delay"
+            "s3c_linear_part_condition",
+            "Solved for the stiffness, the line is the damping divided by the delay",
         ),
         kept=("T",),
     )

@@ -101,7 +101,7 @@ def test_long_delays():
 
     titles = (
         "For long delays the tips fall like $\\pi h/2$",
-        "Their damping tends to a constant",
+        "For long delays the damping of the tips tends to a constant",
     )
     only(agrees, *(shown(CHAPTER, title) for title in titles))
 

@@ -120,7 +120,7 @@ def test_the_polynomial_vanishes_at_the_eigenvalues():
 
     only(
         agrees,
-        shown("s4b_polynomial", "The characteristic polynomial, with the highest coefficient 1"),
+        shown("s4b_polynomial", "The characteristic polynomial has the leading coefficient 1"),
     )
 
 
@@ -180,7 +180,7 @@ def test_each_scene_has_the_eigenvalues_of_a_loop_without_that_part(parts):
 def test_devices_without_spring_or_damper():
     z, cases = 0.3 + 1.1j, []
     for title, gamma, delta in (
-        ("The four coefficients of a free mass", 0, 0),
+        ("The four coefficients of a free mass are rational numbers", 0, 0),
         ("The coefficients of a damped mass contain one exponential", 0, 0.3),
     ):
         cases.append((title, gamma, delta, {"delta": delta}))
@@ -196,7 +196,7 @@ def test_devices_without_spring_or_damper():
             assert complex(value(transfer, z=z, **at)) == pytest.approx(found, rel=1e-14)
 
         only(agrees, shown("s4b_polynomial", title))
-    least = shown("s4b_polynomial", "The smallest scene leaves a cubic")
+    least = shown("s4b_polynomial", "The smallest scene has a quadratic polynomial")
 
     def agrees_least(polynomial):
         roots = np.linalg.eigvals(oracle.loops(0.7, 0.0, 0.0, 0.0, 0))
@@ -237,7 +237,7 @@ def test_a_force_that_is_not_held_and_one_that_is_half_a_period_late():
 
     titles = (
         "A force that grows in time, $F_E=t$, moves the mass by a sixth",
-        "A held force with a fractional delay is not the shifted one",
+        "With a fractional delay a held force already moves the mass within the first period",
     )
     only(agrees, *(shown("s4a_instants", title) for title in titles))
     point = counterexample("s4a_instants", "s4a-exact-instants")
@@ -280,7 +280,10 @@ def test_a_motion_changes_with_five_of_seven_directions():
         assert number(left) == changing
         assert number(rank) == len(names) - changing
 
-    titles = ("The units of the seven have rank two", "Five dimensionless numbers are independent")
+    titles = (
+        "The units of the seven parameters have rank two",
+        "Five dimensionless numbers are independent",
+    )
     only(agrees, *(shown("s4b_parameters_counted", title) for title in titles))
     units = np.array([row[1:] for row in powers[1:]], dtype=float)
     assert np.abs(units @ slopes).max() < 1e-6 * sizes[0]  # other units, the same motion

@@ -68,7 +68,7 @@ def test_roots_at_one_and_minus_one_and_the_free_mass():
         shown("s4d_explicit_boundary", f"A root at {t}")
         for t in (
             r"1 means $\alpha=-\gamma$",
-            "$-1$ means another line, here for even delays",
+            "$-1$ means that the wall lies on a second line, here for even delays",
         )
     )
     only(agrees, *both)
@@ -104,11 +104,11 @@ def short(gamma, delta):
     at["nu"], at["s_1"] = (
         value(shown(ENDS, t), **at)
         for t in (
-            r"The share $\nu$ of the second coefficient of the numerator",
-            "The low-frequency damping $s_1$ of the device",
+            r"The second coefficient has the share $\nu$ of the numerator's sum",
+            "The number $s_1$ is the low-frequency damping of the device",
         )
     )
-    at["s_2"] = value(shown(ENDS, "The low-frequency mass $s_2$ of the device"), **at)
+    at["s_2"] = value(shown(ENDS, "The number $s_2$ is the low-frequency mass of the device"), **at)
     return at
 
 
@@ -138,7 +138,7 @@ def test_the_boundary_at_small_angles():
     titles += [
         "From its start the boundary goes to the right in the second order",
         "From its start the boundary goes up in the second order",
-        "At the start the boundary has the slope",
+        r"The initial slope of the boundary is a fraction less than $d+\frac12$",
     ]
     only(agrees, *(shown(ENDS, title) for title in titles))
 
@@ -154,13 +154,13 @@ def test_the_start_without_a_spring_and_its_gap_with_one():
                 assert abs(found / value(slope, delta=delta, d=d) - 1) < 1e-12
 
     titles = (
-        "Without a spring the damping is $\\delta$",
+        r"Without a spring $s_1$ is the damping $\delta$",
         "Without a spring the boundary starts at $(0,-\\delta)$ with the slope",
     )
     only(agrees, *(shown(ENDS, title) for title in titles))
     gamma, delta = mpmath.mpf("0.001"), mpmath.mpf("0.02")
     gap = -oracle.wall(mpmath.mpf("1e-25"), gamma, delta, 0, 100)[1] - delta - gamma / 2
-    (printed,) = decimals(ENDS, "At the corner of (23) the distance is enclosed")
+    (printed,) = decimals(ENDS, "An interval contains the distance at the corner of (23)")
     assert 0 <= gap - printed < 1e-24  # its digits are cut
 
     def agrees_with_the_gap(formula):
@@ -209,10 +209,10 @@ def test_the_boundary_without_damping():
             assert abs(value(stiffness, g=g, d=d, theta=theta) - alpha) < 1e-45
             assert abs(value(both, g=g, d=d, theta=theta) - alpha - 2 * beta) < 1e-45
 
-    titles = ["One function of the stiffness"]
+    titles = [r"One function contains the stiffness $\gamma$"]
     titles += [
         "The boundary of an undamped device has one stiffness at each angle",
-        "The boundary's damping is given by a sine",
+        "A sine gives the damping on the boundary",
     ]
     only(agrees, *(shown(UNDAMPED, title) for title in titles))
 
@@ -241,10 +241,10 @@ def test_both_ends_of_the_boundary_without_damping():
     titles = [
         r"The boundary starts at $\alpha=-\gamma$",
         r"The boundary starts at $\beta=-(d+\frac12)\gamma$",
-        "From its start the boundary goes to the right in the second order",
+        r"Near its start the stiffness on the boundary grows as $\theta^2$",
         "The initial slope of the boundary is smaller than that of the line",
     ]
-    titles.append("Stiffness and twice the damping approach a line")
+    titles.append(r"The boundary approaches a line of constant $\alpha+2\beta$")
     only(agrees, *(shown(UNDAMPED, title) for title in titles))
 
     def agrees_at_half_swings(stiffness, both):
@@ -255,8 +255,8 @@ def test_both_ends_of_the_boundary_without_damping():
             assert abs(value(both, d=d, theta=theta) - (alpha + 2 * beta) / gamma) < 1e-45
 
     titles = (
-        r"For $x=-1$, $\Omega$ an odd multiple of $\pi$, it stays finite",
-        "For $x=-1$ the damping stays finite, too",
+        r"The stiffness stays finite if $\Omega$ is an odd multiple of $\pi$, that is for $x=-1$",
+        "For $x=-1$ the damping also stays finite",
     )
     only(agrees_at_half_swings, *(shown(UNDAMPED, title) for title in titles))
 

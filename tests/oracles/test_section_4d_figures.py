@@ -87,7 +87,11 @@ def test_around_the_origin_the_spring_moves_the_left_bound_only():
 
     only(
         agrees,
-        shown("s4d_figure8_origin", "Near the origin Jury's minor is nearly the line"),
+        shown(
+            "s4d_figure8_origin",
+            "Near the origin Jury's minor is nearly a multiple of "
+            r"$\beta+\delta-\alpha/2$",
+        ),
         kept=("delta",),
     )
 

@@ -67,7 +67,7 @@ def test_how_the_two_roots_near_one_move():
 
 @guards("s4d_free_mass_extremes")
 def test_the_largest_stiffness_by_a_search_with_eigenvalues():
-    printed = decimals(EXTREMES, "The largest stable stiffnesses of a free mass are enclosed")
+    printed = decimals(EXTREMES, "Intervals contain the largest stable stiffnesses of a free mass")
     for d in (0, 1, 2, 4, 8):
         low, high = 0.02, 0.95 * 2 * np.tan(np.pi / 4 / (d + 1))
         found, _ = stiffest(0, 0, d, low, high, top=2.0)
@@ -84,7 +84,7 @@ def test_minimal_polynomials_have_these_roots():
         for b in page(EXTREMES).blocks
         if b.title == "The largest stiffnesses are algebraic, with these minimal polynomials"
     )
-    printed = decimals(EXTREMES, "The largest stable stiffnesses of a free mass are enclosed")
+    printed = decimals(EXTREMES, "Intervals contain the largest stable stiffnesses of a free mass")
     for (_, _, polynomial), alpha in zip(polynomials.lines, printed, strict=True):
         # alpha is cut after 24 digits; the slopes are of the size of the coefficients
         size = max(abs(int(c)) for c in polynomial.as_poly().all_coeffs())
@@ -100,15 +100,15 @@ def test_the_largest_damping_of_a_free_mass():
             assert oracle.stable(1e-6, beta - 1e-4, 0, 0, d)
             assert not oracle.stable(1e-6, beta + 1e-4, 0, 0, d)
 
-    title = "The largest damping is that of its end, where $\\alpha=0$"
+    title = r"The damping is largest at the end of the arc, where $\alpha=0$"
     only(agrees, shown(EXTREMES, title))
 
 
 @guards("s4d_free_mass_long_delay")
 def test_long_delays():
     """The largest (d+1)^2 alpha: at h = 0 and for small h by Newton's method on its slope."""
-    angle, largest = decimals(LONG, "Angle and height of the peak are enclosed")
-    second, third = decimals(LONG, "The factors of the next terms are enclosed")
+    angle, largest = decimals(LONG, "Intervals contain the angle and the height of the maximum")
+    second, third = decimals(LONG, "Intervals contain the coefficients of the next terms")
 
     def top(h):
         """Largest 4 tan(h phi/2)^2 cos(phi)/h^2 over phi, from a wall with that root."""
@@ -138,15 +138,19 @@ def test_long_delays():
 
     only(
         agrees,
-        shown(LONG, r"At the peak the factor of $h^2$ is $\varphi_*^2/6$"),
-        shown(LONG, r"At the peak the factor of $h^4$ is rational in $\varphi_*^2$"),
+        shown(LONG, r"The coefficient of $h^2$ is $\varphi_*^2/6$"),
+        shown(LONG, r"The coefficient of $h^4$ is rational in $\varphi_*^2$"),
     )
 
 
 @guards("s4d_free_mass_long_delay")
 def test_a_long_delay_by_eigenvalues():
-    _, largest = map(float, decimals(LONG, "Angle and height of the peak are enclosed"))
-    second, third = map(float, decimals(LONG, "The factors of the next terms are enclosed"))
+    _, largest = map(
+        float, decimals(LONG, "Intervals contain the angle and the height of the maximum")
+    )
+    second, third = map(
+        float, decimals(LONG, "Intervals contain the coefficients of the next terms")
+    )
     d = 30
     h = 1 / (d + 1)
     found, _ = stiffest(0, 0, d, 0.02, 0.05, top=0.01)

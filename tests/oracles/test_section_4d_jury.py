@@ -137,7 +137,7 @@ def test_explicit_solutions_without_delay_are_where_the_eigenvalues_leave():
             at = {"beta": beta, "gamma": gamma, **oracle.named(gamma, delta)}
             assert number(solved, **at) == pytest.approx(found, rel=1e-10)
 
-    title = "At this stiffness the minor vanishes, with any spring"
+    title = "One stiffness makes the minor vanish, with any spring"
     only(agrees, solved(said(EXPLICIT, title).hypotheses, "alpha + gamma"))
     alone = [(0.5, 0.02), (1.3, 0.3), (-0.05, 0.2)]
 
@@ -147,7 +147,7 @@ def test_explicit_solutions_without_delay_are_where_the_eigenvalues_leave():
             # the formula is exact; alpha by halving to some 1e-12
             assert number(explicit, beta=beta, delta=delta) == pytest.approx(found, abs=1e-11)
 
-    only(agrees_alone, shown(EXPLICIT, "The solution is explicit"))
+    only(agrees_alone, shown(EXPLICIT, "The largest stiffness without a spring is explicit"))
 
     def agrees_in_units(largest):
         m, T = 0.3, 2e-3
@@ -167,7 +167,7 @@ def test_explicit_solutions_without_delay_are_where_the_eigenvalues_leave():
         for beta in (0.3, 0.8, 1.7):
             assert number(still, beta=beta) == pytest.approx(most(beta, 0, 0, 0), rel=1e-10)
 
-    only(agrees_free, shown(EXPLICIT, "Without damping the solution tends to a limit"))
+    only(agrees_free, shown(EXPLICIT, "Without damping the largest stiffness tends to a limit"))
 
 
 @guards("s4d_jury_implicit")
@@ -202,7 +202,7 @@ def test_one_period_of_delay():
                 found = product(a, beta, 0, delta)
                 assert number(minor, **at) == pytest.approx(found, abs=1e-12)
 
-    only(agrees_alone, shown(IMPLICIT, "The condition is implicit"))
+    only(agrees_alone, shown(IMPLICIT, r"The implicit condition is a quadratic in $\alpha$"))
 
     def agrees_free(explicit):
         for beta in (0.1, 0.4, 0.75):

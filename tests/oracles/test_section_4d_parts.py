@@ -99,7 +99,7 @@ def test_a_period_of_delay_lowers_the_corner_and_can_stabilise():
             beta = oracle.wall(mpmath.mpf("1e-20"), gamma, delta, d)[1]
             assert abs(value(corner, gamma=gamma, d=d, **oracle.named(gamma, delta)) - beta) < 1e-17
 
-    only(agrees, shown("s4d_parts_delay", "The damping at which the boundary begins"))
+    only(agrees, shown("s4d_parts_delay", r"The boundary begins at the damping $\beta_0$"))
     wall = counterexample("s4d_parts_delay", "s4d-delay-shrinks")
     assert radius(wall, d=1) < 1 < radius(wall)
     stiff = {"alpha": 1e-4, "beta": -0.022, "gamma": 1e-3, "delta": 0.02}
@@ -128,7 +128,7 @@ def test_a_spring_and_a_mass_that_destabilise():
 def test_with_the_same_damper_half_the_period_gives_less_than_four_times_the_stiffness():
     stiffness, damping = decimals(
         "s4d_scaling_kept",
-        r"For $\delta=\frac1{100}$ the largest damping and stiffness are enclosed",
+        r"Intervals contain the largest damping and stiffness for $\delta=\frac1{100}$",
     )
     assert stiffest(0, 0.01, 0, 0.5, 1.2)[0] == pytest.approx(float(stiffness), rel=1e-10)
     # its digits are cut

@@ -65,7 +65,8 @@ def test_sizes_and_heights_on_the_circle():
             assert values[:3] == pytest.approx([abs(f) ** 2 for f in found], abs=1e-14)
             assert values[3:] == pytest.approx([f.imag for f in found], abs=1e-14)
 
-    heights = [shown(COUNTED, f"Imaginary part of ${name}$") for name in ("A/z", "N", "W")]
+    title = r"The imaginary part of $%s$ is a multiple of $\sin\theta$"
+    heights = [shown(COUNTED, title % name) for name in ("A/z", "N", "W")]
     only(agrees, *sizes(), *heights)
 
 
@@ -175,7 +176,11 @@ def test_roots_leave_and_come_back_at_the_delays_that_are_said():
             for d, count in enumerate(counts):
                 assert count == counts[0] + sum(step for at, step in changes if 0 < at <= d)
 
-    only(agrees, shown(MARGIN, "A pair of roots leaves at the delays"), by=0.3)
+    only(
+        agrees,
+        shown(MARGIN, "A pair of roots leaves the unit disc at each delay of a sequence"),
+        by=0.3,
+    )
     assert any(max(counts) > 2 for counts in found.values())
 
 
@@ -214,6 +219,6 @@ def test_how_fast_a_root_leaves():
 
     only(
         agrees,
-        shown(MARGIN, "With the delay a root on the circle moves outwards where $w$ is positive"),
+        shown(MARGIN, "With growing delay a root on the circle moves outwards if $w$ is positive"),
         by=0.15,
     )

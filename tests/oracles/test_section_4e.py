@@ -35,7 +35,7 @@ def test_hurwitz_determinant_is_the_product_of_sums_of_roots():
                 at = {"m": m, "b": b, "k": k, "K": K, "B": B, "t_e": t_e}
                 assert number(determinant, **at) == pytest.approx(found, rel=1e-9)
 
-    only(agrees, shown(LAG, "For this loop Hurwitz' determinant is (24) plus one term"))
+    only(agrees, shown(LAG, "Hurwitz' determinant of this loop is (24) plus one term"))
 
 
 @guards("s4e_lag")
@@ -67,7 +67,7 @@ def test_the_border_of_the_lagging_loop():
             # 90 halvings, roots to 1e-13
             assert number(stiffness, **at) == pytest.approx(border(m, b, k, B, t_e), rel=1e-7)
 
-    only(agrees, shown(DROPPED, "Solved for the stiffness Routh's condition allows more"))
+    only(agrees, shown(DROPPED, "Routh's condition allows more stiffness than (24)"))
 
     def agrees_for_a_heavy_mass(stiffness):
         for m, b, k, B, t_e in CASES:
@@ -113,7 +113,7 @@ def test_the_boundary_beside_the_line_at_its_start_and_for_short_periods():
 
     only(
         agrees,
-        shown(LINE, "At the start of the boundary"),
+        shown(LINE, r"At the start of the boundary $\Delta$ is minus the gap"),
         shown(LINE, "The initial slope of the boundary is smaller than that of the line"),
     )
 
@@ -154,7 +154,7 @@ def test_the_error_along_the_boundary_and_at_its_start():
 
     titles = [
         "The relative error compares stiffnesses at the same $\\beta$",
-        r"The error is $\Delta/((d+\frac12)(\alpha+\gamma))$",
+        r"The error is the surplus $\Delta$ divided by $(d+\frac12)(\alpha+\gamma)$",
     ]
     titles.append("For a free mass the error is a quotient of sines")
     only(agrees, *(shown("s4e_line_error", title) for title in titles))
@@ -390,7 +390,9 @@ def test_physical_damping_is_worth_more_than_virtual_damping():
 @guards("s4e_line_two_percent")
 def test_at_the_thresholds_the_error_without_stiffness_is_two_per_cent():
     found = decimals(
-        "s4e_line_two_percent", "The error at $\\alpha=0$ is $-2\\,\\%$ at these dampings"
+        "s4e_line_two_percent",
+        r"Intervals contain the dampings $\delta$ at which the error at "
+        r"$\alpha=0$ is $-2\,\%$",
     )
     cases = [(0, "0"), (0, "0.001"), (1, "0"), (1, "0.001")]
     for (d, spring), delta in zip(cases, found, strict=True):

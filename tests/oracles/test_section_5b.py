@@ -25,8 +25,8 @@ def test_a_share_of_the_stiffness_of_a_passive_wall():
                 assert number(without, **at) == pytest.approx(1.3 - need[1], abs=1e-12)
 
     titles = (
-        "With a share $y$ of the stiffness the margin is a mean of two",
-        "Without stiffness the margin is not negative",
+        "With a share $y$ of the stiffness the margin is a weighted mean of two margins",
+        "Without stiffness the margin of a passive wall is not negative",
     )
     only(agrees, *(shown(SOFT, title) for title in titles))
     for d, direction in walls:

@@ -35,7 +35,9 @@ def test_the_stiffest_wall_without_delay_by_a_search():
             assert number(formula, **at) == pytest.approx(alpha, rel=1e-10)
 
     only(agrees, meant(UNDELAYED, "The largest stable stiffness without delay has a closed form"))
-    ratio = decimals(UNDELAYED, "The ratio is 17.8 and a little more")[0]
+    ratio = decimals(UNDELAYED, "The ratio of the largest stiffnesses is slightly more than 17.8")[
+        0
+    ]
     assert found[1e-3, 0.02] / (2 * 0.02) == pytest.approx(float(ratio), rel=1e-10)
     for _ in range(20):  # on all of (23)
         gamma, delta = rng.uniform(0, 1e-3), rng.uniform(1e-3, 0.02)
@@ -69,7 +71,7 @@ def test_the_minor_and_a_coefficient_of_a_cubic():
         shown("s5b_soft_contacts_undelayed", "The second inequality holds for $\\beta>-s_1$"),
     )
     only(agrees, *both)
-    only(agrees, shown(UNDELAYED, "The minor has two products"), both[1])
+    only(agrees, shown(UNDELAYED, "The minor is a difference of two products"), both[1])
 
 
 @guards("s5b_stiffest_wall")

@@ -51,7 +51,7 @@ def test_what_faster_sampling_gains_at_the_same_delay():
         assert number(limit) == pytest.approx(K * (far + 1), rel=1e-8)
 
     titles = (
-        "With $T=t_d/d$ the stiffness (11) is a number over the delay",
+        "With $T=t_d/d$ the stiffness (11) is inversely proportional to the delay",
         r"For $T\to0$ the passive limit $K_{\max}t_d/b$ tends to $\pi/2$",
     )
     only(agrees, *(shown("s6_gains", title) for title in titles))

@@ -109,7 +109,7 @@ def test_the_polynomial_and_the_wall_that_a_root_needs():
                 assert complex(value(wanted, z=z, **at)) == pytest.approx(found, rel=1e-10)
 
     titles = (
-        "The characteristic polynomial with a fractional delay",
+        r"The characteristic polynomial with a fractional delay has degree $\ell+4$",
         "A root determines one wall",
     )
     only(agrees, *(shown("s6b_fractional_stability", title) for title in titles))
@@ -133,7 +133,7 @@ def test_ends_and_sizes_of_the_fractional_polynomial():
                     assert abs(value(ours, theta=1.1, **at) - abs(theirs) ** 2) < 1e-40
 
     titles = [
-        "For even $\\ell$ a root at $-1$ is another line",
+        r"For even $\ell$ the walls with a root at $-1$ lie on a second line",
         "The size of $A$ does not contain the delay",
         "The size of $M$ does not contain the delay either",
         "The size of the wall $W=(\\alpha+\\beta)z-\\beta$ is linear in $\\cos\\theta$",
@@ -205,10 +205,10 @@ def test_exact_and_printed_walls_of_a_root():
             assert abs(value(phase, epsilon=late) - found) < 1e-20
 
     titles = (
-        "For every fraction $M$ is larger than $N$",
+        "For every fraction $|M|$ is larger than $|N|$",
         "With a delay of half a period the exact boundary has the smaller wall",
         "With a delay of half a period both have the same phase",
-        "Their phases differ by the third power of the angle",
+        "The phases of both boundaries differ by a term of third order in the angle",
     )
     only(agrees, *(shown(HALF, title) for title in titles))
 

@@ -83,7 +83,7 @@ def test_low_frequencies_bend_the_lower_part():
             assert energy.left(0.99 * K, B, late=late) > -1e-12
             assert energy.left(1.04 * K, B, late=late) < 0
 
-    low = shown(REGION, "At low frequencies it is (9) with one more term")
+    low = shown(REGION, "At low frequencies the condition is (9) with one more term")
     only(agrees, low)
     # half a period late, B = 0: 0.944 b in place of the paper's 1
     at = {"B": 0, "b": 1, "T": 1, "l": 0, "epsilon": 0.5}
@@ -119,7 +119,12 @@ STIFF = "s6f_half_a_period_passive"
 
 @guards("s6f_half_a_period_passive")
 def test_the_stiffest_and_the_most_damped_wall_half_a_period_late():
-    damping, stiffness = (float(n) for n in decimals(STIFF, "Both zeros are enclosed"))
+    damping, stiffness = (
+        float(n)
+        for n in decimals(
+            STIFF, "Intervals contain the end of the upper part and the maximum stiffness"
+        )
+    )
     assert energy.left(0.995 * stiffness, 0.324, late=0.5) > 0
     tried = [energy.left(1.01 * stiffness, B, late=0.5) for B in np.linspace(-0.2, 1, 25)]
     assert max(tried) < 0
@@ -145,8 +150,8 @@ def test_the_stiffest_and_the_most_damped_wall_half_a_period_late():
 
     only(
         agrees,
-        meant(STIFF, "The exact condition is a quadratic"),
-        shown(STIFF, "Its discriminant bounds the upper part"),
+        meant(STIFF, "The exact condition is quadratic in $y$"),
+        shown(STIFF, "The discriminant of the quadratic gives the upper part of the boundary"),
     )
 
 

@@ -2,7 +2,7 @@
 
 A plugin of pytest's, for `make ci`, with ``-s``: each ``if ...: raise`` of the modules of rules
 is left out in a process of its own, in which one of the tests that were collected has to fail.
-Those whose names tell of the rule come first.
+Those that name the rule come first.
 """
 
 from __future__ import annotations
@@ -10,7 +10,9 @@ import __future__
 
 import ast
 import importlib
+import inspect
 import os
+import re
 import signal
 from collections.abc import Iterator
 from types import ModuleType
@@ -58,6 +60,28 @@ def leave_out(module: ModuleType, function: ast.FunctionDef, condition: ast.If) 
             setattr(other, function.name, made[function.name])
 
 
+def naming(condition: Condition) -> set[str]:
+    """The function of a condition, and those of its module that call it."""
+    module, function, _ = condition
+    found = {function.name}
+    for name, other in vars(module).items():
+        if inspect.isfunction(other) and function.name in inspect.unwrap(other).__code__.co_names:
+            found.add(name)
+    return found
+
+
+def order(items: list[pytest.Item], condition: Condition | None) -> list[pytest.Item]:
+    """The tests, those first that name the function of the condition or what calls it."""
+    names = set() if condition is None else naming(condition)
+
+    def far(item: pytest.Item) -> tuple[bool, bool]:
+        test = getattr(item, "function", far)
+        near = not names.isdisjoint(re.findall(r"\w+", inspect.getsource(test)))
+        return not near, not any(name.strip("_") in item.nodeid for name in names)
+
+    return sorted(items, key=far)
+
+
 def attacked(session: pytest.Session, condition: Condition | None) -> int:
     """In a process of its own: the exit status says whether an attack succeeds."""
     if child := os.fork():
@@ -66,12 +90,10 @@ def attacked(session: pytest.Session, condition: Condition | None) -> int:
     nowhere = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nowhere, 1)
     os.dup2(nowhere, 2)
-    about: tuple[str, ...] = ()
+    items = order(session.items, condition)
     if condition is not None:
-        module, function, _ = condition
-        about = (function.name.strip("_"), module.__name__.rpartition(".")[2])
         leave_out(*condition)
-    for item in sorted(session.items, key=lambda i: not any(word in i.nodeid for word in about)):
+    for item in items:
         item.config.hook.pytest_runtest_protocol(item=item, nextitem=None)
         if session.testsfailed:
             os._exit(0)
@@ -83,18 +105,19 @@ def pytest_runtestloop(session: pytest.Session) -> bool:
 
     With all of them no attack succeeds, or a test that fails by itself would pass for one.
     """
-    _, status = os.waitpid(attacked(session, None), 0)
-    if os.waitstatus_to_exitcode(status) != 1:
-        raise pytest.UsageError("a test fails though no condition is left out")
-    waiting, under_way, missed = list(conditions()), dict[int, Condition](), list[str]()
-    count = len(waiting)
+    waiting: list[Condition | None] = [None, *conditions()]
+    under_way, missed, count = dict[int, Condition | None](), list[str](), len(waiting) - 1
     while waiting or under_way:
         while waiting and len(under_way) < (os.cpu_count() or 1):
             condition = waiting.pop(0)
             under_way[attacked(session, condition)] = condition
         child, status = os.wait()
-        module, function, left_out = under_way.pop(child)
-        if status:
+        condition = under_way.pop(child)
+        if condition is None:
+            if os.waitstatus_to_exitcode(status) != 1:
+                raise pytest.UsageError("a test fails though no condition is left out")
+        elif status:
+            module, function, left_out = condition
             where = f"{module.__file__}:{left_out.lineno}"
             missed.append(f"{where}: {function.name} without `{ast.unparse(left_out.test)}`")
     print(f"\n{count} conditions of rules, each left out: {count - len(missed)} attacks succeeded")

@@ -76,6 +76,8 @@ def named(
     columns = [np.array(column) for column in zip(*points, strict=True)]
     right = _exact(checked, points)
     near = _share(right, mine, 1e-5) > _MOST
+    if (mine == mine[0]).all() and not near:
+        return (f"every result is {', '.join(f'{value:g}' for value in mine[0])}",)
     by = _NEAR if near else 1e-6  # what is nearly right is told from pi = 3.14159, too
     share = _share(right, mine, by)
     models = [(_share(model(*columns), mine, by), said) for said, model in checked.variants]

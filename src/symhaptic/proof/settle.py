@@ -101,9 +101,10 @@ class Settlement:
             if self.judged.corrected is not None and self.judged.instead is None:
                 lines = tuple(p for line in self.judged.corrected for p in read(line))
                 right = self.claim(lines)
-            found = self.judged.decide(self.claim(printed), right)
+            claim = self.claim(printed)
         except (NoTerm, ValueError) as wrong:
             raise Unfounded(f"no claim can be made of the print: {wrong}") from None
+        found = self.judged.decide(claim, right)
         if self.derived and self.judged.instead is None and not self._derives(lines):
             raise Unfounded("the derived form is another than what the theorem is about")
         return found

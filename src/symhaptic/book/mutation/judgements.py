@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Protocol
+from typing import Protocol, TypeAlias
 
 from symhaptic.book.record import Settled
 from symhaptic.notation.proposition import (
@@ -31,6 +31,9 @@ from symhaptic.proof.mutants import few
 from symhaptic.proof.settle import WRONG
 from symhaptic.proof.theorems.judge import Judged, taken_apart
 from symhaptic.proof.verdict import Kind, Unfounded, Verdict
+
+Words: TypeAlias = tuple[str | Proposition, ...]
+"""Of a change; its propositions are written only if the change survives."""
 
 
 class Check(Protocol):
@@ -56,12 +59,17 @@ class Change:
     """A question with one thing changed."""
 
     kind: str
-    what: str
+    words: Words
     check: Check
     excuse: Callable[[], str | None] = inexcusable
 
+    @property
+    def what(self) -> str:
+        """What was changed."""
+        return "".join(w if isinstance(w, str) else written(w) for w in self.words)
 
-CONTRARY = "the contrary"
+
+CONTRARY = ("the contrary",)
 
 _TURNED = {"<": "<=", "<=": "<", "=": "!=", "!=": "="}
 
@@ -99,38 +107,38 @@ def changes_of_judgement(settled: Settled) -> Iterator[Change]:
     verdict = judged.decide(claim)  # numbers and definitions make another kind of it
     kind = verdict.kind
 
-    def put(what: str, other: str, judged: Judged = judged, said: Proposition = claim) -> Change:
-        return Change(what, other, Rejudged(judged, said, verdict))
+    def put(kind: str, what: Words, judged: Judged = judged, said: Proposition = claim) -> Change:
+        return Change(kind, what, Rejudged(judged, said, verdict))
 
     if taken_apart(judged.theorem.conclusion)[1]:
-        yield put("grounds", "no example of its hypotheses", replace(judged, example=None))
+        yield put("grounds", ("no example of its hypotheses",), replace(judged, example=None))
     for i, case in enumerate(judged.unless):
         others = (*judged.unless[:i], *judged.unless[i + 1 :])
         at = ", ".join(f"{s} = {v}" for s, v in case.values.items())
         if kind is Kind.QUALIFIED or not others:
             dropped = replace(judged, unless=others)
-            yield put("counterexample", f"without that at {at}", dropped)
+            yield put("counterexample", (f"without that at {at}",), dropped)
     for what, other in _others(claim):
         # what is false is so when it is said of more as well
         if kind not in WRONG or what == CONTRARY:
             yield put("claim", what, said=other)
     if judged.instead is not None:
-        yield put("claim", "what holds instead", said=judged.instead)
+        yield put("claim", ("what holds instead",), said=judged.instead)
     if kind not in WRONG:
         for how, what, other in _changed(claim):
             yield put(how, what, said=other)
     elif judged.instead is not None:
         for how, what, other in _changed(judged.instead):
-            yield put(how, f"instead: {what}", replace(judged, instead=other))
+            yield put(how, ("instead: ", *what), replace(judged, instead=other))
 
 
 def _changed(
     claim: Proposition, put: Callable[[Proposition], Proposition] = lambda whole: whole
-) -> Iterator[tuple[str, str, Proposition]]:
+) -> Iterator[tuple[str, Words, Proposition]]:
     """Every part of a claim changed at its root: kind, what was done, and the whole."""
     for kind, other in _here(claim):
         if other != claim:  # x <= x turned round
-            yield kind, f"{written(other)} for {written(claim)}", put(other)
+            yield kind, (other, " for ", claim), put(other)
     for i, part in enumerate(claim.parts):
         yield from _changed(part, partial(_replaced, claim, i, put))
 
@@ -168,7 +176,7 @@ def _here(claim: Proposition) -> Iterator[tuple[str, Proposition]]:
                 continue
 
 
-def _others(claim: Proposition) -> Iterator[tuple[str, Proposition]]:
+def _others(claim: Proposition) -> Iterator[tuple[Words, Proposition]]:
     """Other claims: a hypothesis dropped, a border let in, the conclusion denied; of several that
     are made together, one so changed or left out."""
     symbols, given, then = taken_apart(claim)
@@ -176,16 +184,16 @@ def _others(claim: Proposition) -> Iterator[tuple[str, Proposition]]:
         for i, part in enumerate(claim.of):
             before, after = claim.of[:i], claim.of[i + 1 :]
             for what, other in _others(part):
-                yield f"{what}, in part {i + 1}", And((*before, other, *after))
-            yield f"without part {i + 1}", And((*before, *after))
+                yield (*what, f", in part {i + 1}"), And((*before, other, *after))
+            yield (f"without part {i + 1}",), And((*before, *after))
 
     def of(given: tuple[Proposition, ...], then: Proposition) -> Proposition:
         inner = implied(given, then)
         return ForAll(symbols, inner) if symbols else inner
 
     for i, hypothesis in enumerate(given):
-        yield f"without {written(hypothesis)}", of((*given[:i], *given[i + 1 :]), then)
+        yield ("without ", hypothesis), of((*given[:i], *given[i + 1 :]), then)
         if isinstance(hypothesis, Relation) and hypothesis.sign == "<":
             weak = Relation(hypothesis.left, "<=", hypothesis.right)
-            yield f"{written(weak)} for <", of((*given[:i], weak, *given[i + 1 :]), then)
+            yield (weak, " for <"), of((*given[:i], weak, *given[i + 1 :]), then)
     yield CONTRARY, of(given, Not((then,)))

@@ -59,10 +59,10 @@ def _print(settled: Settled) -> Iterator[Change]:
 
     for mutant in mutants(printed):
         check = Decided(settlement, mutant.form, right)
-        yield Change("formula", mutant.change, check, excuse(mutant.form))
+        yield Change("formula", (mutant.change,), check, excuse(mutant.form))
         digits.pop(mutant.form, None)
     for form, what in digits.items():
-        yield Change("digit", what, Decided(settlement, form, right), excuse(form))
+        yield Change("digit", (what,), Decided(settlement, form, right), excuse(form))
 
 
 def _alike(one: Printed, other: Printed) -> bool:
@@ -96,7 +96,7 @@ def _numbers(settled: Settled) -> Iterator[Change]:
             what = f"{other.how} {other.digits} for {number.how} {number.digits}"
             check = Decided(changed, settled.statement.printed)
             near = ball.str(8, radius=False)
-            yield Change(kind, what, check, _true(number, other, near, says(other, ball)))
+            yield Change(kind, (what,), check, _true(number, other, near, says(other, ball)))
 
 
 def _turned(number: Quoted) -> Iterator[Quoted]:

@@ -74,7 +74,7 @@ def changes_of_tables(chapter: Chapter, among: Sequence[Path] | None = None) -> 
                     changed = (*table[:i], replace(row, **{field.name: other}), *table[i + 1 :])
                     what = f"{name}, row {i + 1}, {field.name}: {other} for {text}"
                     check = Derived(naming, name, changed)
-                    yield Change("digit", what, check, because(UNNOTICED))
+                    yield Change("digit", (what,), check, because(UNNOTICED))
 
 
 def known_tables(names: Mapping[str, Any]) -> dict[str, Table]:
