@@ -84,7 +84,7 @@ def sampled_at(forms: Iterable[Form], precision: Precision) -> dict[str, Routine
         either(sp.S.Zero, kicked),
     )  # fmt: skip
     results = tuple(zip(SAMPLED, numbers, strict=True))
-    form = replace(margin, name="SampledAt", title="a device behind a delay", results=results,
+    form = replace(margin, name="SampledAt", title="a device with a delay", results=results,
                    arguments=_DEVICE)  # fmt: skip
     made = merged(of_form(with_late_device(form), precision))
     return {"SampledAt": replace(made, record="Sampled", within=())}

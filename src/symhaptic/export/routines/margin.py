@@ -259,7 +259,7 @@ _LOOP = sp.symbols("alpha beta gamma delta d")
 
 
 def _sampled(gamma, delta, delay):
-    """What is known of a device behind a delay."""
+    """What is known of a device with a delay."""
     found = do.several(SAMPLED, "SampledAt", gamma, delta, delay)
     return dict(zip(SAMPLED, found, strict=True))
 
@@ -272,7 +272,7 @@ def _told(x, alpha, beta, steps, gamma):
 
 @routine("turns phase theta", record="Passing", loop=_LOOP)
 def passing_at(loop):
-    """the same behind a delay of d periods"""
+    """the same with a delay of d periods"""
     alpha, beta, gamma, delta, d = loop
     whole = do("whole", floor(d))
     return passing(_told(_sampled(gamma, delta, d), alpha, beta, whole, gamma))
