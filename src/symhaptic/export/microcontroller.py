@@ -23,7 +23,7 @@ SIZES = {
     "characteristic_polynomial": 3916,
     "is_stable": 16300,
     "unstable_roots": 15828,
-    "delay_margin": 23064,
+    "delay_margin": 23160,
     "stability_conditions": 4952,
     "stability_boundary": 7656,
     "max_stable_stiffness": 20740,

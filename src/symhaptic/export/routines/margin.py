@@ -236,6 +236,7 @@ def outward(given, more, precision):
     half_y = Rational(1, 2) * y
     along, rest = one - half_y, one + one - half_y
     inner = half_y * rest  # sin(theta)^2
+    real = force - sums * half_y  # of M/z: its angle does not jump by a turn where D vanishes
     m = top + (cross + both * y) * y
     wall, plant = push + pull * y, begin * begin + (linear + kept * y) * y
     angle = gap * (force * along + sums * half_y) / m
@@ -248,7 +249,7 @@ def outward(given, more, precision):
     ways = [(side * (_Near(n + 2, share * n) * grows - rest)).least > 0 for n in (first, last)]
     leads = Abs(strength.v) + 3 * strength.e / 2 < (1 - 3 * share) * given[6]
     there = And(Or(up, down), leads, Ne(Abs(alpha), gamma))
-    good = do("good", choose(And(there, twice, known, *ways), 1, 0))
+    good = do("good", choose(And(there, twice, known, real.least > 0, *ways), 1, 0))
     return choose(And(there, clear), 2, good)
 
 
@@ -371,6 +372,7 @@ def delay_margin(stable, loop, precision):
         states, look, lambda _, width, rest, __: Or(rest <= 0, width < _LEAST), _PARTS
     )
     free = And(gamma > Abs(alpha), ways > 1)
-    found = choose(And(good > 0, added > 0), added * (1 - 2 * precision.last), sp.nan)
+    found = do("found", added - precision.last * (d + added))  # d + added is rounded
+    found = choose(And(good > 0, found > 0), found, sp.nan)
     found = choose(rest > 0, sp.nan, choose(known, found, choose(free, sp.oo, sp.nan)))
     return choose(stable > 0, found, 0)
