@@ -47,8 +47,8 @@ def derive(page):
         r"$z=e^{j\theta}$",
     )
     page.lemma(
-        "A filtered wall is passive if and only if it does not pull and the device dissipates "
-        "enough at each angle",
+        "A filtered wall is passive if and only if its stiffness is not negative and the device "
+        "dissipates enough at each angle",
         by_angle(),
         because="the impulse response of the filter decays, so that the energy of a motion is an "
         "integral over its spectrum, as for a wall without a filter",
@@ -63,10 +63,11 @@ def derive(page):
         because="the weights are not negative and their sum is 1",
     )
     found = page.lemma(
-        "A filtered wall that does not pull is passive if and only if it meets both bounds",
+        r"A filtered wall with $K\ge0$ is passive if and only if it meets the bounds at "
+        "frequency zero and at the Nyquist frequency",
         decides(),
-        because="a mean of two numbers that are not negative is not negative; and the margin comes "
-        "arbitrarily close to both numbers",
+        because="a mean of two nonnegative numbers is nonnegative, and the margin comes "
+        "arbitrarily close to each of the two values",
         boxed=True,
     )
     easy = {K: S.One, B: S.One, b: S.One, T: S.One, f_v: S.Half}
@@ -80,9 +81,9 @@ def derive(page):
     )
     page.say(
         "The filter removes the virtual damper at high frequencies, where sampling makes it "
-        "active. With $f_v=0.9$ only a nineteenth of $B$ remains in the first bound. This result "
-        "concerns passivity. The same filter reduces the stable stiffness of a light device, see "
-        r"\chapter{s10f_filtered_mass}."
+        "active. With $f_v=0.9$ only a nineteenth of $B$ remains in the first bound. This "
+        "result concerns passivity. The same filter reduces the stable stiffness of a light "
+        r"device; see \chapter{s10f_filtered_mass}."
     )
     found = page.lemma("A wall that meets (6) is passive with every filter", without_filter())
     late = {K: S.One, B: S.One / 8, b: Rational(3, 4), T: S.One, f_v: S.Half, d: S.One}

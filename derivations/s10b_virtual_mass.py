@@ -44,8 +44,8 @@ def derive(page):
         r"$z=e^{j\theta}$",
     )
     page.lemma(
-        "A wall with a virtual mass is passive if and only if it does not pull and the device "
-        "dissipates enough at each angle",
+        "A wall with a virtual mass is passive if and only if its stiffness is not negative and "
+        "the device dissipates enough at each angle",
         by_angle(),
     )
     page.step(
@@ -100,8 +100,8 @@ def _free(page):
         z ** (d + 2) * (1 + response * z**-d),
         z ** (d + 2) + mu / 2 * (z + 1),
         name="p_M(z)",
-        because="$p_M(z)$ is the loop's polynomial divided by $(z-1)^2$, the factor of a motion at "
-        "constant speed; a virtual mass does not change this motion",
+        because="the polynomial $p_M(z)$ is the loop's polynomial divided by $(z-1)^2$. This "
+        "factor belongs to a motion at constant speed, which a virtual mass does not change",
     )
     found = page.lemma(
         "Without delay a virtual mass is stable if and only if it is smaller than $2m$", free()
@@ -112,6 +112,6 @@ def _free(page):
         found,
         example=slow | {d: S.Zero},
         unless={Eq(d, 0): (slow, swings_up(slow))},
-        shows="$m_v=\\tfrac32m$ is unstable with a delay of one period",
+        shows=r"the virtual mass $m_v=\tfrac32m$ is unstable with a delay of one period",
         note="the limit is exact for a free mass without delay",
     )

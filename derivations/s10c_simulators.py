@@ -1,8 +1,8 @@
 r"""How stiff may a spring be in a simulator?
 
 A simulator integrates Newton's law by Euler's method, and computes the force from position and
-velocity of the simulated mass. The stiffness limits in simulation code apply to this loop. Are they
-exact for it, and are they valid for a real device?
+velocity of the simulated mass. The stiffness limits in simulation code apply to this loop. Are
+these limits exact for a simulator, and are they valid for a real device?
 """
 
 from sympy import Matrix
@@ -76,10 +76,11 @@ def _below_two(page, found):
     symbols, given, then = taken_apart(page.claim(BOTH))
     exact = [found[id] for id in (SEMI, PLAIN)]
     page.lemma(
-        r"With explicit Euler $KT^2/m=1$, $BT/m=\frac12$ is unstable", escapes(EXPLICIT, POINT)
+        r"With explicit Euler the wall $KT^2/m=1$, $BT/m=\frac12$ is unstable",
+        escapes(EXPLICIT, POINT),
     )
     page.lemma(
-        r"With semi-implicit Euler $KT^2/m=\frac12$, $BT/m=\frac{19}{10}$ is unstable",
+        r"With semi-implicit Euler the wall $KT^2/m=\frac12$, $BT/m=\frac{19}{10}$ is unstable",
         escapes(SEMI_IMPLICIT, EDGE),
     )
     page.settle(
@@ -97,7 +98,8 @@ def _below_two(page, found):
             for loop, at in ((EXPLICIT, POINT), (SEMI_IMPLICIT, EDGE))
         ],
         shows=r"explicit Euler is unstable for $KT^2/m=1$, $BT/m=\tfrac12$, and semi-implicit "
-        r"Euler for $KT^2/m=\tfrac12$, $BT/m=\tfrac{19}{10}$: spring and damper share one bound",
+        r"Euler for $KT^2/m=\tfrac12$, $BT/m=\tfrac{19}{10}$: one bound limits the spring "
+        "and the damper together",
     )
 
 
@@ -107,7 +109,7 @@ def _one_mass(page, exact):
     here = SI.and_(*taken_apart(page.claim(ONE))[1], little)
     bounds = exact.conclusion.of[0]
     theorem = page.lemma(
-        "With little damping a quarter of $4m/T^2$ is stable in a simulator",
+        "With little damping, a quarter of $4m/T^2$ is a stable stiffness in a simulator",
         here.closed(mp(exact, here.show(bounds))),
         because="if the damping is at most three quarters of $2m/T$, at least a quarter of the "
         "bound remains",
@@ -118,23 +120,25 @@ def _one_mass(page, exact):
         example=POINT | {K: S.Half},
         unless={little: (EDGE, escapes(SEMI_IMPLICIT, EDGE))},
         shows=r"for $m=T=1$ the wall $K=\tfrac12$, $B=\tfrac{19}{10}$ is unstable",
-        note="this holds for semi-implicit Euler; for a device in place of a simulator no multiple "
-        r"of $m/T^2$ is a limit (\chapter{s8c_four_masses})",
+        note="the statement holds for semi-implicit Euler; for a device instead of a simulator, "
+        "no stiffness limit proportional to $m/T^2$ guarantees stability "
+        r"(\chapter{s8c_four_masses})",
     )
 
 
 def _held(page):
     """The same bound for a device."""
     page.say(
-        "A device differs from a simulator in two ways: its force is held while it moves, and its "
-        "velocity is the difference of two samples. Each of these two differences adds a delay of "
-        "half a period:"
+        "A device differs from a simulator in two ways: its force is held while it moves, and "
+        "its velocity is the difference of two samples. Each of these two differences adds a "
+        "delay of half a period, which reduces the stable stiffness:"
     )
     page.step(
         "The ratio of the simulator's bound to that of a free mass without delay exceeds 2",
         (4 * m / T**2 - 2 * B / T) / of_two_samples(),
         1 + 2 * m / (B * T),
-        because="the ratio exceeds 2 for $BT<2m$, and it has no bound as the damping tends to 0",
+        because="the ratio exceeds 2 for $BT<2m$, and it grows without bound as the damping "
+        "tends to 0",
     )
     settle_by_two_samples(
         page,

@@ -21,8 +21,8 @@ def derive(page):
     mass = moving_mass()
     rate, push = Matrix(mass.state), Matrix(mass.force)
     page.say(
-        "A free mass has $\\dot x=v$ and $\\dot v=F$ in units of mass and period. Under a held "
-        "force the state after a time $t$ is $\\Phi(t)$ times the old state plus $\\Gamma(t)F$:"
+        r"A free mass has $\dot x=v$ and $\dot v=F$ in units of mass and period. Under a held "
+        r"force, the state after a time $t$ is $\Phi(t)$ times the old state plus $\Gamma(t)F$:"
     )
     phi, held = eye(2) + rate * t, push * t + rate * push * t**2 / 2
     show_motion(page, mass, (phi, held), "xv", "obeys Newton's law")
@@ -47,9 +47,9 @@ def derive(page):
         "delay",
     )
     page.say(
-        "The stiffness limit rises with the damping up to the largest damping, $B=2m/T$. At this "
-        "damping the damper alone reverses the velocity in each period. With the difference of two "
-        "samples the limit falls to zero instead:"
+        "The stiffness limit rises with the damping up to the largest damping, $B=2m/T$. At "
+        "this damping the damper alone reverses the velocity in each period. With the "
+        "difference of two samples, the limit falls to zero instead:"
     )
     page.step(
         "A measured velocity raises the bound by this stiffness",

@@ -54,7 +54,8 @@ def derive(page):
         r"For $K\le2b/T$ and $K\le2f_c/\Delta_x$ no motion gains energy from a wall that has an "
         "encoder and only pushes",
         wall_passive(),
-        because="$\\max(x+p_k,0)^2\\le(\\max(x,0)+p_k)^2$, and $\\max$ makes no distance larger",
+        because=r"the first term satisfies $\max(x+p_k,0)^2\le(\max(x,0)+p_k)^2$, and taking the "
+        "maximum with 0 increases no distance",
     )
     page.say(
         r"The bounds $2b/T$ and $2f_c/\Delta_x$ are sharp. Let the position oscillate by $2h$ "
@@ -62,11 +63,11 @@ def derive(page):
         "and the higher force pushes on the way down:"
     )
     page.step(
-        "In a small swing across the edge of a count the loop receives this energy",
+        "In a small oscillation across the edge of a count the loop receives this energy",
         -K * Delta_x * 2 * h + 2 * b * (2 * h) ** 2 / T + 2 * f_c * 2 * h,
         -2 * h * (K * Delta_x - 2 * f_c - 4 * b * h / T),
-        because=r"this is negative for $K\Delta_x>2f_c$ and a small $h$; if the motion is "
-        "repeated, the energy grows without bound",
+        because=r"this energy is negative for $K\Delta_x>2f_c$ and a small $h$; if the motion is "
+        "repeated, the extracted energy grows without bound",
     )
     page.lemma(
         r"If $K$ exceeds $2f_c/\Delta_x$, some motion gains energy with any damper",
@@ -75,8 +76,9 @@ def derive(page):
     page.lemma(
         "If $K$ exceeds $2b/T$, some motion gains energy with any friction",
         across_many(FORCES[1]),
-        because="in an oscillation over many counts, the energy that sampling adds grows with the "
-        "square of the amplitude, and the work of friction grows in proportion to the amplitude",
+        because="in an oscillation over many counts, the energy that sampling adds grows with "
+        "the square of the amplitude, but the work of friction only in proportion to the "
+        "amplitude",
     )
     found = page.lemma(
         r"A spring or a wall with an encoder is passive if and only if $K\le2b/T$ and "
@@ -89,13 +91,14 @@ def derive(page):
         RULE,
         found,
         example=point,
-        note="the bounds are exact without delay and virtual damping, and hold on the borders, "
-        "too. Virtual damping from differences of counts, or a delay, makes the bounds stricter",
+        note="the bounds are exact without delay and virtual damping, including walls on the "
+        "bounds. Virtual damping from differences of counts, or a delay, makes the bounds "
+        "stricter",
     )
     swing = {K: S.One, Delta_x: S.One, T: S.One, b: S.One, f_c: Rational(1, 4), h: Rational(1, 16)}
     page.step(
-        "With half of the friction that $K=1$ requires, a swing of an eighth of a count gains "
-        "energy",
+        "With half of the friction that $K=1$ requires, an oscillation of an eighth of a count "
+        "gains energy",
         (-2 * h * (K * Delta_x - 2 * f_c - 4 * b * h / T)).subs(swing),
         -Rational(1, 32),
         name="E",

@@ -36,8 +36,8 @@ def derive(page):
         "For $m=T=1$ a free mass with a filtered velocity is stable if and only if these bounds "
         "hold",
         in_units(),
-        because="the last of Jury's inequalities is the quadratic one, and no wall with negative "
-        "damping meets all of them",
+        because="the last of Jury's inequalities is the quadratic one, and no wall with "
+        "negative damping satisfies all of them",
     )
     printed = STATEMENTS[EXACT].printed
     found = page.lemma(
@@ -72,9 +72,10 @@ def _tangent(page, printed):
         below_the_tangent(*printed),
     )
     page.say(
-        "This is also the tangent without the filter. For slow motions the delay of the spring is "
-        "decisive, and the spring is not filtered. The delay of the damper has only a second-order "
-        "effect. A delay of the complete wall is different: its tangent is $K=B/(\\frac12T+t_d)$."
+        "This line is also the tangent without the filter. For slow motions the delay of the "
+        "spring is decisive, and the spring is not filtered. The delay of the damper has only a "
+        "second-order effect. A delay of the complete wall is different: its tangent is "
+        r"$K=B/(\frac12T+t_d)$."
     )
 
 
@@ -96,8 +97,8 @@ def _delay(page, printed, soft):
         unless={LITTLE: (strong, escapes(LOW_PASS, strong))},
         shows=r"for $m=T=\tau_f=B=1$ the rule allows $K<\tfrac23$, but $K=\tfrac12$ is unstable",
         note=r"at the origin the rule is too strict by the factor $1+2\tau_f/T$. From "
-        r"$B=2m\tau_f/(T(T+4\tau_f))$ on the rule allows unstable walls; for $\tau_f=0$ it does so "
-        "for every $B$",
+        r"$B=2m\tau_f/(T(T+4\tau_f))$ on, the rule allows unstable walls; for $\tau_f=0$ it does "
+        "so for every $B$",
     )
 
 

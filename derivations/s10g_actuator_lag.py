@@ -1,8 +1,8 @@
 r"""Is a lag of the actuator the same as a delay?
 
 Amplifiers and torque loops follow their command with a lag $1/(\tau_as+1)$. The usual advice is to
-treat this lag as an additional delay of $\tau_a$. For a free mass we derive the exact sampled loop
-with the lag, and ask whether the advice is conservative.
+treat this lag as an additional delay of $\tau_a$. For a free mass we derive the exact loop with
+the lag, and ask whether the advice is conservative.
 """
 
 from sympy import Matrix, cos, exp, eye, pi, sin, sqrt
@@ -33,8 +33,7 @@ def derive(page):
     ):
         page.lemma(f"The exponential exceeds {of} bound", theorem)
     found = page.lemma(
-        r"With a lag every stable wall of a free mass satisfies $K(\frac "
-        r"T2+\tau_a)<B$",
+        r"With a lag every stable wall of a free mass satisfies $K(\frac T2+\tau_a)<B$",
         below_the_line(),
         boxed=True,
     )
@@ -48,30 +47,32 @@ def derive(page):
         "stiffness more than the lag",
     )
     page.say(
-        "Farther from the origin a lag reduces the stiffness less than an equal delay. A delay "
-        "transmits all frequencies; a lag attenuates the high frequencies, at which a delayed wall "
-        "becomes unstable."
+        "Farther from the origin a lag reduces the stiffness less than an equal delay. A lag "
+        "attenuates the high frequencies, at which a delayed wall becomes unstable."
     )
     page.lemma(
-        "With a lag of one period $K=\\frac{18}{100}$, $B=\\frac{56}{100}$ is stable for $m=T=1$",
+        r"With a lag of one period the wall $K=\frac{18}{100}$, $B=\frac{56}{100}$ is stable for "
+        "$m=T=1$",
         holds(LAGGING, wall),
     )
     late = {alpha: wall[K], beta: wall[B], gamma: S.Zero, delta: S.Zero, d: S.One}
     page.lemma(
-        "With a delay of one period $K=\\frac{18}{100}$, $B=\\frac{56}{100}$ is not stable",
+        r"With a delay of one period the wall $K=\frac{18}{100}$, $B=\frac{56}{100}$ is not stable",
         outside(late),
     )
     page.lemma(
-        "With a lag of one period $K=\\frac15$, $B=\\frac{56}{100}$ is not stable",
+        r"With a lag of one period the wall $K=\frac15$, $B=\frac{56}{100}$ is not stable",
         escapes(LAGGING, wall | {K: Rational(1, 5)}),
     )
     slow = {K: Rational(4, 100), B: S.Half, T: S.One, m: S.One, tau_a: S(5)}
     page.lemma(
-        "With a lag of five periods $K=\\frac4{100}$, $B=\\frac12$ is stable", holds(LAGGING, slow)
+        r"With a lag of five periods the wall $K=\frac4{100}$, $B=\frac12$ is stable",
+        holds(LAGGING, slow),
     )
     late = late | {alpha: slow[K], beta: slow[B], d: S(5)}
     page.lemma(
-        "With a delay of five periods $K=\\frac4{100}$, $B=\\frac12$ is not stable", outside(late)
+        r"With a delay of five periods the wall $K=\frac4{100}$, $B=\frac12$ is not stable",
+        outside(late),
     )
     _with_a_spring(page)
 
@@ -109,16 +110,15 @@ def _with_a_spring(page):
     spring = pi**2 / 4
     late = {alpha: spring / 10, beta: spring / 20, gamma: spring, delta: S.Zero, d: S(3)}
     still = page.lemma(
-        "With a delay of three periods $\\alpha=\\frac{\\pi^2}{40}$, $\\beta=\\frac{\\pi^2}{80}$ "
-        "is stable",
+        r"With a delay of three periods the wall $\alpha=\frac{\pi^2}{40}$, "
+        r"$\beta=\frac{\pi^2}{80}$ is stable",
         inside(late),
     )
     wall = {K: late[alpha], B: late[beta], T: S.One, m: S.One, k: late[gamma], tau_a: S(3)}
     grown = page.lemma(
-        "With a lag of three periods the same parameters are unstable",
+        "With a lag of three periods the same wall is unstable",
         escapes(SWINGING.at(BEHIND), wall),
-        because="a delay of three quarters of an oscillation turns the spring of the wall into a "
-        "damper, and a lag does not",
+        because="delayed by three quarters of an oscillation, the wall's spring acts as a damper",
     )
     page.settle(
         BELOW,
@@ -147,9 +147,9 @@ def _loop(page):
     tau = LAG
     device = lagging(moving_mass(), tau)
     page.say(
-        "In units of mass and period the state is the position, the velocity and the force $u$ of "
-        "the actuator, with $\\tau=\\tau_a/T$ and $\\tau\\dot u=F-u$. Under a held command $F$, "
-        "the state after a time $t$ is $\\Phi(t)$ times the initial state plus $\\Gamma(t)F$:"
+        "In units of mass and period, the state is the position, the velocity and the "
+        r"actuator's force $u$, with $\tau=\tau_a/T$ and $\tau\dot u=F-u$. Under a held command "
+        r"$F$, the state after a time $t$ is $\Phi(t)$ times the initial state plus $\Gamma(t)F$:"
     )
     fall = exp(-t / tau)
     slip = tau * (1 - fall)

@@ -1,8 +1,8 @@
 r"""How much energy does a sampled spring deliver?
 
-Textbooks explain the limit $K\le2b/T$ by energy: a spring with a held force delivers some energy in
-every period, and the damper has to dissipate it. We check the numbers of this explanation, and what
-it predicts for a delay.
+Textbooks explain the limit $K\le2b/T$ by energy: a spring with a held force delivers some energy
+in every period, and the damper has to dissipate it. We check the numbers in this explanation, and
+its prediction for a delay.
 """
 
 from symhaptic.book.lemmas.linear_part import passive_below
@@ -34,8 +34,8 @@ def derive(page):
         name=r"E_{\text{delay}}",
     )
     page.say(
-        "In the same time the damper dissipates $bv^2T$. The spring delivers $KT/(2b)$ times this "
-        "energy. This factor is the ratio in the rule."
+        "In the same time the damper dissipates $bv^2T$. The spring delivers $KT/(2b)$ times "
+        r"this energy. The ratio $KT/(2b)$ is the one in the limit $K\le2b/T$."
     )
     page.say(
         "On the way out the spring delivers more than it stored, by the same amount. This "
@@ -48,7 +48,7 @@ def derive(page):
         "With an integer delay a spring is passive if and only if the damper dissipates the energy "
         "delivered at constant speed",
         behind_a_delay(rule),
-        because="low frequencies are the strictest for a wall without virtual damping",
+        because="for a wall without virtual damping, the condition is strictest at low frequencies",
         boxed=True,
     )
     late = {K: S.One, b: Rational(101, 100), T: S.One, d: S.Half}
@@ -61,8 +61,8 @@ def derive(page):
         unless={whole(d): (late, denied)},
         shows="with a delay of half a period, $K=1$ meets the rule for $b=\\tfrac{101}{100}$, "
         "$T=1$ and delivers energy",
-        note="the rule is exact for integer delays without virtual damping; round a fractional "
-        "delay up",
+        note="the rule is exact for integer delays without virtual damping; for a fractional "
+        "delay, use the next integer",
     )
     rule = taken_apart(page.claim(LEAK))[2].of[0]
     found = page.lemma(

@@ -52,10 +52,10 @@ def _damper(page):
         misprint=False,
         example=wall | {b: S(2)},
         unless=[(wall, drives(wall))],
-        shows="$K=2$, $B=T=b=1$ meets the condition of the record and delivers energy; the "
-        "coupling requires $b=2$",
+        shows="the coupling $K=2$, $B=T=b=1$ satisfies the condition of the record and delivers "
+        "energy; it requires $b=2$",
         note="the damper that has to exceed $KT/2$ is that of the device. The virtual damper "
-        "requires additional damping, so that a larger $B$ makes the coupling less passive",
+        "requires additional damping, so that a larger $B$ leaves less margin for the coupling",
     )
 
 
@@ -97,21 +97,21 @@ def _masses(page):
         free(),
         example=slow | {d: S.Zero},
         unless={Eq(d, 0): (slow, swings_up(slow))},
-        shows="$m_v=\\tfrac32m$ is unstable with a delay of one period",
-        note=r"the limit is exact for a free mass without delay, see \chapter{s10b_virtual_mass}",
+        shows=r"the virtual mass $m_v=\tfrac32m$ is unstable with a delay of one period",
+        note=r"the limit is exact for a free mass without delay; see \chapter{s10b_virtual_mass}",
     )
     found = page.lemma(
         "A virtual mass that is stable beside a spring is stable alone",
         fades_alone(),
-        because="the product of the zeros is $m_v/(2m)$ with and without the spring, and has to be "
-        "less than 1",
+        because="the product of the roots is $m_v/(2m)$ with and without the spring, and has to "
+        "be less than 1",
     )
     stiff = {m_v: S.One, m: S.One, K: Rational(1, 10), T: S.One}
     page.settle(
         BESIDE,
         found,
         example=(stiff, roots_inside(SPRUNG.at(stiff).terms[0], z, {})),
-        note="this holds for a free mass without delay and damping",
+        note="the statement holds for a free mass without delay and damping",
     )
     light = {m_v: Rational(1, 4), m: S.One, K: Rational(1, 10), T: S.One}
     page.lemma(

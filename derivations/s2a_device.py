@@ -1,8 +1,8 @@
 """What are the mass, damping and stiffness of a device with an arm?
 
 The device is a mass $m_D$ with a damper $b_D$; the arm that holds it is a mass $m_H$ with a damper
-$b_H$ and a spring $k_H$ to the resting posture. Which single mass, damper and spring replace both,
-and which model remains if nothing is assumed about the arm?
+$b_H$ and a spring $k_H$ to the resting posture. Which single mass, damper and spring replace
+device and arm, and which model remains if nothing is assumed about the arm?
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -13,9 +13,9 @@ def derive(page):
     device = Plant(m_D, b_D, None).characteristic
     arm = Plant(m_H, b_H, k_H).characteristic
     page.say(
-        "A firm grip couples device and arm rigidly. Both have the same position, and the force "
-        "between them acts on both with opposite signs. This force cancels in the sum of both "
-        "equations of motion, so that masses, dampings and stiffnesses add up."
+        "A firm grip couples device and arm rigidly. They have the same position, and the force "
+        "between them acts on them with opposite signs. This force cancels in the sum of the "
+        "two equations of motion, so that masses, dampings and stiffnesses add up."
     )
     both = page.step(
         "Two bodies with one position have one mass, one damper and one spring",
@@ -25,10 +25,10 @@ def derive(page):
         because="the forces that the two bodies need for the same motion add up",
     )
     page.say(
-        "This is the polynomial $ms^2+bs+k$ of a single body. Its mass, damping and stiffness are "
-        "the coefficients of $s^2$, $s$ and 1. Without a model of the arm, the external force "
-        "contains the whole action of the arm. The device then keeps its own mass and damping and "
-        "has no spring."
+        "The sum is the polynomial $ms^2+bs+k$ of a single body. Its mass, damping and "
+        "stiffness are the coefficients of $s^2$, $s$ and 1. Without a model of the arm, the "
+        "external force contains the whole action of the arm. The device then keeps its own "
+        "mass and damping and has no spring."
     )
     mass, damping, stiffness = Poly(both, s).all_coeffs()
     page.settle("eq2", Eq(m, mass), Eq(b, damping), Eq(k, stiffness), definition=True)
@@ -41,8 +41,8 @@ def derive(page):
         "The arm's forces can be counted as external",
         both * x - F_E,
         device * x - (F_E - arm * x),
-        because="both sides vanish for the common motion, and the last bracket is the force on the "
-        "device alone",
+        because="for the common motion, the left and the right side vanish, and the last "
+        "bracket is the force on the device alone",
     )
     _settle(page)
 

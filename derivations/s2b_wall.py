@@ -25,7 +25,7 @@ def derive(page):
         K + B * (z - 1) / (T * z),
         name=H(z),
         paper="1",
-        because="both terms are written over the common denominator $z$",
+        because="the two terms are written over the common denominator $z$",
     )
     page.step(
         "At a constant position the wall is its spring alone",

@@ -36,7 +36,7 @@ def derive(page):
     )
     claim = page.claim("s2c-delays-lump")
     page.lemma(
-        "Delays before and behind the device and in the computation act as their sum",
+        "Delays before the device, after the device and in the computation act as their sum",
         lumped(claim),
         because=r"a force that is delayed by an integer number of periods is $z^{-\ell}$ times the "
         "force, and the response of the device is unique",
@@ -73,11 +73,11 @@ def derive(page):
         because="an integer delay shifts the samples and does not change their values",
     )
     page.say(
-        r"The model $z^{-d}P(z)$ predicts no motion at the next sample. For $d=\tfrac12$ the mass "
-        r"has moved by $\tfrac18$. So $z^{-d}$ is exact for integer delays only. For other delays "
-        "the substitution $z=w^q$ gives a polynomial and is an approximation, as the paper says. "
-        "$P(w^q)$ is not the device sampled $q$ times as often. It describes $q$ copies of the "
-        "slow device, coupled by the delay."
+        r"The model $z^{-d}P(z)$ predicts no motion at the next sample. For $d=\tfrac12$ the "
+        r"mass has moved by $\tfrac18$. So $z^{-d}$ is exact for integer delays only. For other "
+        "delays, the substitution $z=w^q$ gives a polynomial and is an approximation, as the "
+        "paper says. The function $P(w^q)$ is not the device sampled $q$ times as often. It "
+        "describes $q$ copies of the slow device, coupled by the delay."
     )
     page.lemma(
         "For integer delays $z^{-d}$ is exact, for every device",

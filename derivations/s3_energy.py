@@ -1,8 +1,8 @@
 """When can no motion extract energy from a sampled wall?
 
-A user moves a device with damping $b$ at will. A wall $H(z)$ computes a force once per period $T$,
-and this force is held until the next period. The user gains energy if the wall delivers more than
-the damper dissipates. Which inequality excludes this, and is it sufficient?
+A user moves a device with damping $b$ arbitrarily. A wall $H(z)$ computes a force once per period
+$T$, and this force is held until the next period. The user gains energy if the wall delivers more
+than the damper dissipates. Which inequality excludes this, and is it sufficient?
 """
 
 from sympy import re
@@ -35,7 +35,7 @@ def derive(page):
         r"displacement, $b/T+\Re\{H/(z-1)\}$."
     )
     page.step(
-        "On the unit circle $1/(z-1)$ has this value",
+        "On the unit circle, $1/(z-1)$ can be written with a real denominator",
         passivity.on_circle(1 / (z - 1)),
         (exp(-I * theta) - 1) / (2 - 2 * cos(theta)),
         because=r"here $z=e^{j\theta}$ has the angle $\theta=\omega T$",
@@ -98,7 +98,7 @@ def _settle(page, condition):
         "From a wall $(h_0+h_1/z+h_2/z^2)z^{-d}$ no motion gains energy if and only if it has "
         r"$H(1)\ge0$ and meets (4) at each angle, with $\ge$ in place of $>$",
         exactly(),
-        because="(4) is sufficient, as the paper says, and necessary except for equality",
+        because="condition (4) is sufficient, as the paper says, and necessary except for equality",
     )
     pulls = [S.One], [S.Half, square(1 + 2 * cos(omega))]
     soft = dict(zip(TAPS, (S.One, S.Zero, S.Zero), strict=True)) | {b: S.One, T: S.One, d: S.Zero}

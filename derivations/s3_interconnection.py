@@ -31,8 +31,8 @@ def derive(page):
         "Two coupled systems receive energy only from outside",
         (F - pushed) * v + pushed * v,
         F * v,
-        because="the force $F_2$ cancels in the sum, so that both systems together store at most "
-        "the integral of $Fv$: the whole is passive",
+        because="the force $F_2$ cancels in the sum, so that the two systems together store at "
+        "most the integral of $Fv$: the connection is passive",
     )
     page.same("parallel and feedback", face, (F - pushed) * v + pushed * v)
     page.say(
@@ -78,7 +78,7 @@ def derive(page):
     page.lemma(
         "Passive systems in parallel and in feedback are passive",
         for_all([*FREQUENCY, KIND], [R_1 >= 0, R_2 >= 0], conj(parallel(), fed_back())),
-        because="$\\Re\\frac{Z_1}{1+Z_1Z_2}=(R_1+|Z_1|^2R_2)/|1+Z_1Z_2|^2$",
+        because=r"for the feedback, $\Re\frac{Z_1}{1+Z_1Z_2}=(R_1+|Z_1|^2R_2)/|1+Z_1Z_2|^2$",
         boxed=True,
     )
     _settle(page)

@@ -10,16 +10,16 @@ from symhaptic.book.lemmas.prelude import *
 
 def derive(page):
     page.say(
-        "Let the spring force $f(x)$ have a slope between 0 and $K$, as a unilateral spring has. "
-        "Let $U$ be its energy. In one step $U$ grows by at most the initial force times the step, "
-        "plus a term that the slope causes:"
+        "Let the spring force $f(x)$ have a slope between 0 and $K$, as a unilateral spring "
+        "has. Let $U$ be its energy. In one step, $U$ grows by at most the initial force times "
+        "the step, plus a term that the slope causes:"
     )
     page.step(
         "A spring of constant slope $K$ gains the most energy",
         K * (x + p_k) ** 2 / 2 - K * x**2 / 2,
         K * x * p_k + K * p_k**2 / 2,
         name=r"U(x+p)-U(x)",
-        because=r"this slope is the steepest, so that in general $f(x)\,p\ge "
+        because=r"the slope $K$ is the steepest, so that in general $f(x)\,p\ge "
         r"U(x+p)-U(x)-\tfrac12Kp^2$",
     )
     q = symbols("q")

@@ -23,7 +23,7 @@ def derive(page):
         + B * (cos(d * theta) - 2 * cos((d + 1) * theta) + cos((d + 2) * theta))
     ) / (2 - 2 * cos(theta))
     page.step(
-        "Only a real part of the wall's response matters",
+        "Only the real part of the wall's response times $1-1/z$ matters",
         need,
         brackets,
         paper="5",
@@ -61,9 +61,9 @@ def derive(page):
     _mass(page)
     page.say(
         "A spring of negative stiffness, $K=-1$ without delay, meets (5), but four equal steps "
-        "gain the energy 2. With a delay of half a period $z^{-d}$ is not exact. Let the device "
-        r"move by $\tfrac32$ in the first half of each period and by 1 in the second half, and let "
-        "it return after 30 periods."
+        "gain the energy 2. With a delay of half a period, the factor $z^{-d}$ is not exact. Let "
+        r"the device move by $\tfrac32$ in the first half of each period and by 1 in the second "
+        "half, and let it return after 30 periods."
     )
     page.step(
         "Damper and wall receive this energy from the motion",
@@ -124,10 +124,10 @@ def _settle(page, printed):
         },
         shows="with a delay of half a period, (5) holds at every frequency, yet a motion extracts "
         "$147/20$",
-        note="(5) is equivalent to (4) with $z^{-d}$ for every real $d$. For a fractional delay of "
-        "the held force (5) allows walls that are not passive, and excludes some passive walls. At "
-        r"equality no motion gains energy either: with $\ge$ in (5) the last condition of the "
-        "verdict is not needed",
+        note="condition (5) is equivalent to (4) with $z^{-d}$ for every real $d$. For a "
+        "fractional delay of the held force, (5) allows some walls that are not passive and "
+        r"excludes some passive walls. At equality no motion gains energy either: with $\ge$ "
+        "in (5) the last condition of the verdict is not needed",
     )
 
 

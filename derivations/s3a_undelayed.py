@@ -48,8 +48,9 @@ def derive(page):
     page.say(
         "So $KT/2+|B|$ is the least upper bound of the required damping over the open interval. "
         r"For $B\ne0$ this bound is not attained: a wall with equality still satisfies (5) at "
-        r"every frequency. The strict sign of (6) excludes this wall; with $\ge$ in place of $>$ "
-        "both conditions agree. A negative $K$ can satisfy both conditions, but is not passive."
+        r"every frequency. The strict sign of (6) excludes this wall; with $\ge$ in place of "
+        "$>$, (5) and (6) agree. A wall with negative $K$ can satisfy (5) and (6), but is not "
+        "passive."
     )
     agree = off_the_border(frequencies, sufficient, needed)
     border = {K: S.One, B: S.One, b: Rational(3, 2), T: S.One}
@@ -73,8 +74,9 @@ def derive(page):
         UNDELAYED,
         example=(easy, off),
         unless={OFF_BORDER: (border, sides, broken(And((form, same))))},
-        shows=r"(5) holds at every frequency, but (6) says $\tfrac32>\tfrac32$",
-        note="the form of (5) for $d=0$ is right for all values; (6) requires the condition",
+        shows="the wall satisfies (5) at every frequency, but for this wall (6) is "
+        r"$\tfrac32>\tfrac32$",
+        note="the form of (5) for $d=0$ is valid for all values; (6) requires the condition",
     )
     both = taken_apart(page.claim("eq6"))[2]
     page.lemma(r"A wall with $K\ge0$ that meets (6) is passive", passive())
@@ -110,6 +112,6 @@ def upper_part(page):
         "s3c-upper-part",
         found,
         example={K: S.One, B: S.One, b: S(2), T: S.One},
-        note="(5) has this form at the frequency of the largest damping "
+        note="condition (5) has this form at the frequency of the largest damping "
         r"(\texttt{s3c-bmax-frequency}); for $B<0$ the summary (6) is $b>\frac{KT}2-B$",
     )

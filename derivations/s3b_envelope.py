@@ -42,10 +42,13 @@ def derive(page):
     )
     on_curve = {K: nice_stiffness, B: nice_damping}
     page.step(
-        "$(K,B)$ lies on the line of its angle", line.subs(on_curve), S.Zero, name=r"F\big|_{(K,B)}"
+        "The point $(K,B)$ lies on the line of its angle",
+        line.subs(on_curve),
+        S.Zero,
+        name=r"F\big|_{(K,B)}",
     )
     page.step(
-        "$(K,B)$ lies on the neighbouring line, too",
+        "The point $(K,B)$ lies on the neighbouring line, too",
         diff(line, theta).subs(on_curve),
         S.Zero,
         name=r"\partial F/\partial\theta\,\big|_{(K,B)}",
@@ -58,8 +61,9 @@ def derive(page):
         lines_of_angles,
     )
     page.say(
-        "Both coordinates are proportional to $b$. The product $KT$ does not contain $T$. So the "
-        "stiffness is proportional to the sampling rate $1/T$, and not to the period."
+        "The coordinates $K$ and $B$ of this point are proportional to $b$. The product $KT$ "
+        "does not contain $T$. So the stiffness is proportional to the sampling rate $1/T$, and "
+        "not to the period."
     )
     _scaled(page)
 
@@ -84,5 +88,5 @@ def _scaled(page):
         example=stiff,
         unless=[(stiff, broken)],
         shows="three times the period leaves a third of the stiffness",
-        note=r"this holds at each angle $\omega T$",
+        note=r"the statement holds at each angle $\omega T$",
     )

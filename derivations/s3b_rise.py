@@ -1,8 +1,8 @@
 r"""Is the envelope the boundary of the passive walls?
 
-Each frequency up to $\pi/(T(d+1))$ gives one point of the envelope. The envelope bounds the passive
-walls if, for a given stiffness, one of these frequencies is stricter than all others. We use
-$\psi=\omega T/2$, $N=2(d+1)$, $u=KT/(2b)$ and $w=(B+KT/2)/b$. The question then reduces to the
+Each frequency up to $\pi/(T(d+1))$ gives one point of the envelope. The envelope bounds the
+passive walls if, for a given stiffness, the condition is strictest at one of these frequencies. We
+use $\psi=\omega T/2$, $N=2(d+1)$, $u=KT/(2b)$ and $w=(B+KT/2)/b$. The question then reduces to the
 signs of functions on $0<N\psi<\pi$ for $N>2$, and we prove each sign.
 """
 
@@ -32,17 +32,17 @@ def derive(page):
         4 * chord_before().conclusion.right * chord_after().conclusion.right / (N * sin(psi) ** 2),
         name=rf"\frac{{\partial}}{{\partial\psi}}\Bigl({latex(rising)}\Bigr)",
     )
-    page.lemma("A factor of the slope of the envelope's stiffness is positive", bend())
+    page.lemma("A factor of the slope of the stiffness $U$ on the envelope is positive", bend())
     wall = {d: N / 2 - 1, theta: 2 * psi}
     divisor = width().conclusion.right
     curve = page.step(
-        "The envelope's stiffness has this form",
+        "The normalised stiffness $U=KT/(2b)$ on the envelope is a quotient of sines",
         passivity.envelope()[0].subs(wall) * T / (2 * b),
         2 * N * sin(psi) ** 2 * sin(N * psi) / divisor,
         name="U",
     )
     page.step(
-        r"The envelope's stiffness rises up to $N\psi=\pi/2$ and falls beyond",
+        r"The stiffness $U$ rises up to $N\psi=\pi/2$ and falls beyond",
         diff(curve, psi),
         2 * N**2 * sin(psi) ** 2 * cos(N * psi) * rising / divisor**2,
         name=r"\partial U/\partial\psi",
@@ -51,31 +51,31 @@ def derive(page):
     page.lemma("Up to $N\\psi=\\pi/2$ a larger angle has the larger stiffness", rises(LOWER))
     page.lemma("From $N\\psi=\\pi/2$ on a larger angle has the smaller stiffness", rises(UPPER))
     page.step(
-        "For a given stiffness the angle with $U=u$ is the strictest",
+        "For a given stiffness, the condition is strictest at the angle with $U=u$",
         diff((u * cot(psi) * sin(N * psi) - 1) / cos(N * psi), psi),
         divisor / (2 * sin(psi) ** 2 * cos(N * psi) ** 2) * (u - curve),
         name=r"\partial w/\partial\psi",
-        because=r"the slope has the sign of $u-U$. On each side of $N\psi=\pi/2$ the strictest "
-        "angle is the one with $U=u$: the smaller angle bounds $w$ from below, the larger angle "
-        r"from above. If $u$ is less than the limit of $U$ for $\theta\to0$, the lower bound is "
-        r"the line of $\theta\to0$",
+        because=r"the slope has the sign of $u-U$. On each side of $N\psi=\pi/2$ the condition "
+        "is strictest at the angle with $U=u$: the smaller of these angles bounds $w$ from "
+        "below, the larger one from above. If $u$ is less than the limit of $U$ for "
+        r"$\theta\to0$, the lower bound is the line of $\theta\to0$",
     )
     page.lemma("The tip of the envelope has no negative margin at any angle", tip())
     page.lemma(
         "No wall of the envelope has a negative margin at any angle",
         touches(),
-        because="for angles on the same side of the tip this follows from the order of the borders "
-        "at a given stiffness; for angles on the other side it follows from the larger stiffness "
-        "of the tip",
+        because="for angles on the same side of the tip, this follows from the order of the "
+        "bounds of $w$ at a given stiffness; for angles on the other side, from the "
+        "larger stiffness of the tip",
     )
     page.say(
-        r"For $N>2$, that is $d>0$, the envelope from $\theta\to0$ to $\pi/(d+1)$ is therefore "
+        r"For $N>2$, that is, $d>0$, the envelope from $\theta\to0$ to $\pi/(d+1)$ is therefore "
         r"part of the boundary. The line of $\theta\to0$ and the line $K=0$ close the boundary. "
-        "For $d=0$ the slope of $U$ vanishes: the envelope shrinks to one point and the boundary "
-        "is (6)."
+        "For $d=0$ the slope of $U$ vanishes: the envelope shrinks to one point and the "
+        "boundary is (6)."
     )
     page.step(
-        "Without delay the envelope's stiffness does not change",
+        "Without delay, the stiffness $U$ is constant along the envelope",
         curve.subs(N, 2),
         S.One,
         name=r"U|_{d=0}",
@@ -102,20 +102,20 @@ def _boundary(page):
     page.lemma(
         "The ray of a wall beyond the corner contains a wall of (7)",
         met(),
-        because="the distance of a wall of (7) from the ray has different signs at the two ends of "
-        "(7). Here $u=KT/2$ and $w=B+KT/2$ are not divided by $b$",
+        because="the distance of a wall of (7) from the ray has different signs at the two ends "
+        "of (7). Here $u$ is $KT/2$ and $w$ is $B+KT/2$: they are not divided by $b$",
     )
     page.lemma(
         "A wall of the boundary requires the same damping as the wall of (7) on its ray",
         needed_there(),
-        because="with this damping the boundary wall is passive, and at the angle of the wall of "
-        "(7) it requires no less damping",
+        because="with this damping the boundary wall is passive, and at the angle of the wall "
+        "of (7) it requires at least this damping",
     )
     above = page.lemma(
         "Above the corner each wall of the boundary satisfies (7)",
         upper_boundary(others.of[1]),
-        because="two walls on one ray that require the same damping are equal; for $K=0$ the wall "
-        "is $(0,b)$",
+        because="two walls on the same ray that require the same damping are equal; for $K=0$ "
+        "the wall is $(0,b)$",
         boxed=True,
     )
     found = conj(
@@ -136,11 +136,11 @@ def _boundary(page):
             whole(d): (half, not_on_boundary(then, half, half_late(Rational(17, 10)))),
             end: (high, not_on_boundary(then, high, STEPS)),
         },
-        shows=r"for $d=1$, $\omega T=\tfrac23\pi$ (7) gives $K=-4$, $B=2$, which is a negative "
-        "stiffness",
-        note="without delay (7) is the single point $(2b/T,0)$, and the rest of the boundary is "
-        "(6); for other $d>0$ (7) bounds the walls of (5); at higher frequencies the curve bounds "
-        "nothing",
+        shows=r"for $d=1$ and $\omega T=\tfrac23\pi$, (7) gives $K=-4$, $B=2$, which is a "
+        "negative stiffness",
+        note="without delay, (7) is the single point $(2b/T,0)$, and the rest of the boundary is "
+        "(6). For other $d>0$, (7) bounds the walls of (5). At higher frequencies the curve "
+        "bounds nothing",
     )
 
 
@@ -192,14 +192,16 @@ def _extent(page):
         because=r"the difference is positive for $\psi<\varphi<\pi/2$, since the cotangent falls",
     )
     page.say(
-        r"Now let $N\psi>\pi$. If $\sin N\psi\ge0$, subtract $2\pi$ from $N\psi$. The smaller "
-        "angle has the same sine and cosine but a larger cotangent, and is stricter because "
-        r"$u\ge0$. If $\sin N\psi<0$, the margin is at least $1-|w|\ge0$, because $-1\le w\le1$. "
-        r"So only $0<N\psi\le\pi$ matters, that is $0<\omega T\le\pi/(d+1)$."
+        r"Now let $N\psi>\pi$. If $\sin N\psi\ge0$, subtract a multiple of $2\pi$ from $N\psi$. "
+        "The smaller angle has the same sine and cosine but a larger cotangent, so that the "
+        r"condition is stricter there, because $u\ge0$. If $\sin N\psi<0$, the margin is at "
+        r"least $1-|w|\ge0$, because $-1\le w\le1$. So only $0<N\psi\le\pi$ matters, that is, "
+        r"$0<\omega T\le\pi/(d+1)$."
     )
     page.lemma(
         r"A margin for $0<N\psi\le\pi$ implies a margin at every angle",
         at_every_angle(),
-        because=r"subtracting multiples of $2\pi$ from $N\psi$ gives a stricter angle up to $\pi$",
+        because=r"subtracting multiples of $2\pi$ from $N\psi$ gives an angle with $N\psi\le\pi$ "
+        "at which the condition is stricter",
         boxed=True,
     )

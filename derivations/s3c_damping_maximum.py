@@ -31,7 +31,7 @@ def derive(page):
         name=r"K|_{\theta=\pi/(d+1)}",
     )
     page.step(
-        "At this end the virtual damping equals the damping of the device",
+        "At the end of the envelope, the virtual damping equals the damping of the device",
         damping,
         b,
         name=r"B|_{\theta=\pi/(d+1)}",
@@ -63,7 +63,7 @@ def derive(page):
         r"$\pi/T(d+1)$ the denominator is the whole product.)"
     )
     page.step(
-        r"$\theta=\pi/(d+1)$ is the first angle at which the cosine is $-1$",
+        r"The angle $\theta=\pi/(d+1)$ is the first one at which the cosine is $-1$",
         cos((d + 1) * (pi / (d + 1))),
         -S.One,
         name=r"\cos(d+1)\theta",
@@ -96,7 +96,7 @@ def _ends(page, *derived):
         *derived,
         example=(soft, met[1]),
         unless={K >= 0: (beyond, *(met[0], not_intro(held, number(negated(order)), there)))},
-        shows=r"$d=0$, $K=-1$, $B=\tfrac54b$ satisfies (5) at every frequency",
+        shows=r"for $d=0$, the wall $K=-1$, $B=\tfrac54b$ satisfies (5) at every frequency",
         note="the points limit the walls that meet (5), for every real $d$; with integer delays "
         "these are the passive walls",
     )

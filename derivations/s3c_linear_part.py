@@ -39,9 +39,9 @@ def derive(page):
         name=B,
     )
     page.say(
-        r"By \chapter{s3b_rise} no other frequency is stricter between $(0,-b)$ and the end of the "
-        r"envelope. So the line bounds the walls of (5) for every real $d\ge0$. In (8) a parameter "
-        "$y$ grows from 0 to 1 along the line."
+        r"By \chapter{s3b_rise}, the condition is strictest for $\theta\to0$ for the walls "
+        "between $(0,-b)$ and the end of the envelope. So the line bounds the walls of (5) for "
+        r"every real $d\ge0$. In (8), a parameter $y$ grows from 0 to 1 along the line."
     )
     on_line = {K: end_stiffness * y, B: (end_damping + b) * y - b}
     page.step(
@@ -53,8 +53,8 @@ def derive(page):
     )
     _line(page, Eq(K, on_line[K]), Eq(B, on_line[B]))
     page.say(
-        "Only the end $y=1$ is the limit of the envelope (7). The points before it belong to the "
-        "line itself, the limit of (5)."
+        r"Only the end $y=1$ is the limit of the envelope (7) for $\theta\to0$. The points "
+        "before it belong to the line itself, which is the limit of (5)."
     )
     _lower_part(page)
 
@@ -75,7 +75,7 @@ def _line(page, *derived):
         "passive with less damping of the device",
     )
     found = page.lemma(
-        "Up to the damping of its end the line (8) is the boundary",
+        "Up to the damping of its end, the line (8) is the boundary",
         lower_boundary(then),
         boxed=True,
     )
@@ -87,7 +87,7 @@ def _line(page, *derived):
         example=late | {d: S.Zero, B: -S.Half},
         unless={whole(d): (late, _gains(then.at(late), Rational(8, 9)))},
         shows="with a delay of half a period, the wall $K=b/T$, $B=0$ on this line delivers energy",
-        note="(8) bounds the walls that satisfy (5) for every real $d$",
+        note="the line (8) bounds the walls that satisfy (5), for every real $d$",
     )
 
 
@@ -116,6 +116,6 @@ def _lower_part(page):
         found,
         example=bottom | {y: S.One},
         unless={top: (bottom, denied)},
-        shows=r"(7) tends to $K=\tfrac45b/T$, not to the point $(0,-b)$ of (8)",
+        shows=r"for $\omega\to0$, (7) tends to $K=\tfrac45b/T$, not to the point $(0,-b)$ of (8)",
         note=r"the lower part of the boundary is linear for every real $d\ge0$",
     )

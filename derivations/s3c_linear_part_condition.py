@@ -1,8 +1,8 @@
 """For which walls is the stiffness limited by damping over delay?
 
-Solved for the stiffness, the straight lower part of the boundary is the total damping divided by
-the total delay. The total delay includes half a period for the hold. We ask for which damping this
-bound of the stiffness is exact.
+On the straight lower part of the boundary, the stiffness is the total damping divided by the total
+delay. The total delay includes half a period for the hold. We ask for which damping this bound of
+the stiffness is exact.
 """
 
 from symhaptic.book.lemmas.linear_part import LOW, at_corner, decides
@@ -17,22 +17,23 @@ def derive(page):
         r"$F=b+B-(d+\frac12)KT$ for $\theta\to0$. The line is $F=0$."
     )
     limit_of_k = page.step(
-        "Solved for the stiffness, the line is the damping divided by the delay",
+        "Solved for the stiffness, the equation of the line is the total damping divided by the "
+        "total delay",
         (b + B) / (T * (d + Rational(1, 2))),
         2 * (b + B) / (T * (2 * d + 1)),
         name=r"\frac{b+B}{(d+\frac12)T}",
         paper="9",
     )
     page.step(
-        "On the line (9) and (10) are equalities",
+        "On the line, (9) and (10) hold with equality",
         line.subs(K, limit_of_k),
         S.Zero,
         name=r"F\big|_{K=(b+B)/((d+1/2)T)}",
     )
     page.say(
-        "For damping in the range of (9) the low frequencies are the strictest, and (9) is exact "
-        "except for equality. The condition (9) does not apply to negative $K$, because (5) can "
-        "then fail at higher frequencies."
+        "For damping in the range of (9), the condition is strictest at low frequencies, and "
+        "(9) is exact except for equality. The condition (9) does not apply to negative $K$, "
+        "because (5) can then fail at higher frequencies."
     )
     _condition(page, limit_of_k > K)
 

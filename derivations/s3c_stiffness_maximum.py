@@ -1,7 +1,8 @@
 """What is the largest stiffness that can be passive?
 
-It is the rightmost point of the boundary. At this point the coefficient of the virtual damping in
-the condition vanishes. This gives the frequency and the wall.
+The largest passive stiffness belongs to the rightmost point of the boundary. At this point the
+coefficient of the virtual damping in the condition vanishes. This gives the frequency and the
+wall.
 """
 
 from symhaptic.book.lemmas.motions import half_late, not_passive
@@ -29,7 +30,7 @@ def derive(page):
         cos((d + 1) * angle),
         S.Zero,
         name=r"\cos(d+1)\theta\,|_{\theta=\pi/(2(d+1))}",
-        because=r"later zeros lie beyond $\pi/(d+1)$, where the condition is redundant",
+        because=r"the next zeros lie beyond $\pi/(d+1)$, where the condition is redundant",
     )
     _frequency(page, Eq(omega, angle / T))
     left = b - need.subs(theta, angle)
@@ -49,7 +50,8 @@ def derive(page):
         on_curve[0] - stiffness,
         S.Zero,
         name=r"K\big|_{\text{(7)}}-K",
-        because=r"(7) at the angle $\theta=\pi/(2(d+1))$ gives the stiffness of the previous step",
+        because=r"at the angle $\theta=\pi/(2(d+1))$, (7) gives the stiffness of the previous "
+        "step",
     )
     damping = page.step(
         "The wall of maximum stiffness has this damping",
@@ -61,7 +63,10 @@ def derive(page):
         "and falls beyond it, for every real $d>0$",
     )
     _stiffest(page, Eq(K, stiffness), Eq(B, damping))
-    page.say("Without delay the largest stiffness is $2b/T$. A delay leaves this share of it:")
+    page.say(
+        "Without delay the largest stiffness is $2b/T$. With a delay, a share of this stiffness "
+        "remains:"
+    )
     share = stiffness / stiffness.subs(d, 0)
     one = page.step(
         r"One period of delay leaves 41\,\% of the stiffness",
@@ -94,8 +99,8 @@ def _frequency(page, derived):
         found,
         derived,
         example={T: S.One, d: S.Zero, omega: pi / 2},
-        note="for $d=0$ every frequency gives this point, which is then a corner. In the formula "
-        "of the paper the denominator is the whole product after the slash",
+        note="for $d=0$, every frequency gives this point, which is then a corner. In the "
+        "formula of the paper the denominator is the whole product after the slash",
     )
 
 

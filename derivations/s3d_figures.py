@@ -1,4 +1,4 @@
-r"""What do the plots of the passive walls show?
+r"""Which walls do the plots of the passivity boundary enclose?
 
 Fig. 4 of the paper draws the boundary for seven delays, two of them fractions of a period. The
 shape of this boundary is derived in \chapter{s3b_rise}. For which delays do these curves bound the
@@ -48,7 +48,7 @@ def derive(page):
         tip[0],
         2 * tan(angle / 2),
         name=r"\frac{K_{\max}T}{b}",
-        because="this is the curve of Fig. 5, which falls with the delay",
+        because="formula (11) is also the curve of Fig. 5, which falls with the delay",
     )
     low = (cos(angle) - d / (d + 1)) / sin(angle)
     page.step(

@@ -1,7 +1,7 @@
 """How does the largest passive stiffness fall with the delay?
 
-Fig. 5 of the paper plots the stiffness of (11) over the delay. For which delays is this the largest
-passive stiffness?
+Fig. 5 of the paper plots the stiffness of (11) against the delay. For which delays is this the
+largest passive stiffness?
 """
 
 from symhaptic.book.figures.passivity import largest_stiffness

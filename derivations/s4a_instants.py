@@ -47,8 +47,9 @@ def derive(page):
         free.held(1 - d)[0],
         (1 - d) ** 2 / 2,
         name="x_1",
-        because=r"for $d\le1$ a unit force has acted for the time $1-d$. $z^{-d}P(z)$ begins with "
-        "$z^{-d-1}$ and predicts no motion for $d>0$",
+        because=r"for $d\le1$ a unit force has acted for the time $1-d$. The expansion of "
+        "$z^{-d}P(z)$ in powers of $1/z$ begins with $z^{-d-1}$, so this model predicts "
+        "no motion within the first period for $d>0$",
     )
     _settle(page)
 

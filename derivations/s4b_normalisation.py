@@ -86,8 +86,8 @@ def derive(page):
             delta,
             free / delta**2,
             name=name,
-            because=r"$c_1\to\delta$ means $\gamma\to0$; a derivation without a spring gives the "
-            "same value",
+            because=r"the limit $c_1\to\delta$ means $\gamma\to0$; a derivation without a spring "
+            "gives the same value",
         )
         page.same("without a spring", small, free / delta**2)
     form = Eq(1 / (m * s**2 + b * s + k), T**2 / m * device.transfer)
@@ -107,7 +107,8 @@ def _equivalent(page, form):
             fails(claim, UNHELD, holds=apart[:1], but=apart[1]),
             fails(claim, CRITICAL, holds=apart[1:], but=apart[0]),
         ],
-        shows="(14) is $0/0$ for a device without an arm, which (22) and (23) admit",
+        shows="the coefficients (14) are $0/0$ for a device without an arm, which (22) and (23) "
+        "admit",
     )
 
 

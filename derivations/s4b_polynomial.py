@@ -107,7 +107,7 @@ def _points(claim, conditions):
 def _scenes(page):
     page.say(
         "A loop without spring, damper, virtual damping or delay has a smaller polynomial. We "
-        "derive it without the missing part and show that it is the limit of the larger polynomial."
+        "derive it and show that it is the limit of the larger polynomial."
     )
     page.say(
         "Under a unit force a free mass moves by half a unit in the first period. With a damper "
@@ -150,7 +150,7 @@ def _scenes(page):
         delta,
         fading,
         name="P",
-        because=r"$c\to\delta$ means $\gamma\to0$, since $c^2=\delta^2-4\gamma$",
+        because=r"the limit $c\to\delta$ means $\gamma\to0$, since $c^2=\delta^2-4\gamma$",
     )
     page.limit(
         "With the damper removed the device is the mass on a spring",
@@ -159,7 +159,7 @@ def _scenes(page):
         S.Zero,
         swinging,
         name="P",
-        because=r"the limit is taken along $\gamma=\Omega^2+\delta^2/4$, that is $c=2j\Omega$",
+        because=r"the limit is taken along $\gamma=\Omega^2+\delta^2/4$, that is, $c=2j\Omega$",
     )
     page.limit(
         "Without its damper the damped mass is free",
@@ -173,9 +173,7 @@ def _scenes(page):
         "Without its spring the other mass is free, too", swings, Omega, S.Zero, still, name="P"
     )
 
-    page.say(
-        "The closed loop of wall and sampled device has one of four characteristic polynomials:"
-    )
+    page.say("The loop of wall and sampled device has one of four characteristic polynomials:")
     a, e, n_1, n_0 = symbols("a e n_1 n_0")
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
     for title, kept, shape in (
@@ -211,10 +209,10 @@ def _scenes(page):
             _limit(page, parts, name, larger, smaller)
             count += 1
     page.say(
-        f"The characteristic polynomials of all {len(ALL)} scenes follow from these four and from "
-        f"the wall. We check that each of the {count} ways to leave out one part is a limit. "
-        "Without virtual damping the polynomial loses a root at 0, which has no effect. Without "
-        "delay it loses the power of $z$."
+        f"The characteristic polynomials of all {len(ALL)} scenes follow from these four and "
+        f"from the wall. We check that each of the {count} ways to leave out one part is a "
+        "limit. Without virtual damping, the polynomial loses a root at 0, which has no effect "
+        "on stability. Without delay, it loses the power of $z$."
     )
     least = _polynomial(Parts(False, False, False, False))
     page.step(

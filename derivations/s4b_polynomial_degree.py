@@ -17,9 +17,9 @@ from symhaptic.proof.theorems.roots import degree, not_of_degree
 def derive(page):
     page.say(
         "In physical units the sampled device has the state matrix $e^{AT}$, and the wall is "
-        "$H(z)z^{-d}$. We insert the rules of Table I afterwards, and both mass and period cancel. "
-        "The result is the monic polynomial $p_1$ of (18). Its coefficients $a$, $e$, $n_1$ and "
-        r"$n_0$ depend on $\gamma$ and $\delta$ only."
+        "$H(z)z^{-d}$. We insert the rules of Table I afterwards, and the mass and the period "
+        "cancel. The result is the monic polynomial $p_1$ of (18). Its coefficients $a$, $e$, "
+        r"$n_1$ and $n_0$ depend on $\gamma$ and $\delta$ only."
     )
     device = sampled(Plant(), T, split=c_1 / T)
     polynomial = device.denominator * z ** (d + 1)

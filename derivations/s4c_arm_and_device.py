@@ -1,8 +1,7 @@
 r"""How much stiffness and damping does an arm add to the loop?
 
 An arm adds mass as well as stiffness and damping, and $\gamma$ and $\delta$ depend on the total
-mass. We look for bounds of $\gamma$ and $\delta$ from separate bounds for the arm and for the
-device.
+mass. We derive bounds on $\gamma$ and $\delta$ from separate bounds on the arm and on the device.
 """
 
 from symhaptic.book.lemmas.arm import PLAIN, WHOLE, bounds, limits, numbers, p, weighted
@@ -30,10 +29,11 @@ def derive(page):
     )
     _numbers(page, Eq(gamma, spring), Eq(delta, damper))
     page.say(
-        "The ratio of stiffness or damping to mass is larger without the mass of the other body:"
+        "If the mass of the device or of the arm is neglected, each ratio of stiffness or "
+        "damping to mass is larger:"
     )
     page.step(
-        r"Without the device's mass $\gamma$ is larger",
+        r"Without the device's mass, the stiffness $\gamma$ is larger",
         T**2 * k_H / m_H - spring,
         T**2 * k_H * m_D / (m_H * (m_D + m_H)),
         name=r"T^2\frac{k_H}{m_H}-\gamma",
@@ -48,8 +48,9 @@ def derive(page):
     )
     _bounds(page)
     page.say(
-        "The sum of both ratios is an upper bound that is not sharp. The ratio of the total "
-        "damping to the total mass is a mean of the two ratios, weighted by the masses:"
+        "The sum of the two damping ratios is an upper bound that is not sharp. The ratio of the "
+        "total damping to the total mass is a mean of the two damping ratios, weighted by the "
+        "masses:"
     )
     _mean(page)
     _limits(page)
@@ -104,7 +105,7 @@ def _mean(page):
         "arm-mean-ratio",
         for_all((*ARM, gamma, delta, *parts), given, add_assum(weighted(claim), *given)),
         example=PLAIN | ones,
-        note=r"so $\delta/T$ is at most the larger of the two ratios",
+        note=r"therefore $\delta/T$ is at most the larger of the two ratios",
     )
 
 

@@ -37,9 +37,9 @@ def derive(page):
     )
     checks = converted(page)
     page.say(
-        "One row is exceptional: the paper says that the arm was strapped down and only the hand "
-        "was measured. We divide its ratios by the next largest ones, which are those of Hogan and "
-        "of Tsuji et al.:"
+        "One row is exceptional: the paper says that the arm was strapped down and only the "
+        "hand was measured. We divide the ratios of this row by the next largest ones, which "
+        "are those of Hogan and of Tsuji et al.:"
     )
     shown = []
     for column, name in ((1, r"\frac{k_H/m_H}{(k_H/m_H)_2}"), (2, r"\frac{b_H/m_H}{(b_H/m_H)_2}")):
@@ -52,8 +52,8 @@ def derive(page):
     page.settle(
         "s4c-outlier",
         conj(*map(fact, page.claim("s4c-outlier").of)),
-        note="both ratios are at least 3 times those of every other arm, and 9.4 and 3.4 times the "
-        "next largest ones",
+        note="the two ratios of this arm are at least 3 times those of every other arm, and 9.4 "
+        "and 3.4 times the next largest ones",
     )
     page.say("Two springs in series share the force, and their displacements add up:")
     series(page)
@@ -104,7 +104,7 @@ def converted(page):
         "9.80665 m/s$^2$."
     )
     page.step(
-        r"At a natural frequency of 1 Hz $b_H=4\pi m_H$ is critical damping",
+        r"At a natural frequency of 1 Hz, $b_H=4\pi m_H$ is critical damping",
         (4 * pi) ** 2 - 4 * (4 * pi**2),
         S.Zero,
         name=r"b_H^2-4k_Hm_H\,\big|_{m_H=1,\ k_H=4\pi^2,\ b_H=4\pi}",

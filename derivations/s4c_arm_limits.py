@@ -64,17 +64,18 @@ def largest(page):
         name=r"\frac{568.5}{0.75}",
     )
     page.say(
-        f"The row of {EXCLUDED} is left out. At $T=1$ ms and with a massless device this arm has:"
+        rf"The row of {EXCLUDED} is left out. We compute its $\gamma$ and $\delta$ at $T=1$ ms "
+        "and with a massless device:"
     )
     hard, viscous = RATIOS[EXCLUDED]
     page.step(
-        "The stiffness of the row that is left out is beyond (23)",
+        "The stiffness of the row that is left out exceeds the range (23)",
         hard * PERIOD**2,
         Rational(1, 150),
         name=r"\frac{kT^2}m\Big|_{T=1\,\mathrm{ms}}",
     )
     page.step(
-        "The damping of the row that is left out is beyond (23)",
+        "The damping of the row that is left out exceeds the range (23)",
         viscous * PERIOD,
         Rational(1, 20),
         name=r"\frac{bT}m\Big|_{T=1\,\mathrm{ms}}",
@@ -90,7 +91,7 @@ def limits(page, spring, damper):
         total,
         Rational("15.225"),
         name="14.6+0.625",
-        because="the sum is 15.225",
+        because="the sum of the two limits is 15.225",
         paper="22",
     )
     page.settle_external(
@@ -104,8 +105,8 @@ def limits(page, spring, damper):
     inside = page.lemma(
         "Arm and device within their limits are together within (22)",
         conj(*within(spring, damper, DEVICE)),
-        because="(21) bounds the ratios of the arm, and 0.625 bounds the damping per mass of the "
-        "devices of [8]",
+        because="the limits (21) bound the ratios of the arm, and 0.625 bounds the damping per "
+        "mass of the devices of [8]",
     )
     signs = {"<": Lt, "<=": Le}
     names = {meaning: name for name, meaning in held.items()}

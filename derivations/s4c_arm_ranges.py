@@ -19,7 +19,9 @@ STIFFNESS, DAMPING = Rational(710), Rational("15.225")
 
 def derive(page):
     before = (STIFFNESS * LONGEST**2, DAMPING * LONGEST)
-    page.say("At $T=1$ ms the limits (22) are 0.00071 and 0.015225. An extension by 30 % gives:")
+    page.say(
+        "At $T=1$ ms the limits (22) are 0.00071 and 0.015225. We extend these limits by 30 %:"
+    )
     wide = []
     for name, value, plain, text in (
         (gamma, before[0], "0.00071", "0.000923"),
@@ -50,8 +52,8 @@ def derive(page):
             (rf"\frac{{{text}}}{{{NAMES[name]}}}\Big|_{{(22)}}", factor)
             for name, text, factor in zip(NAMES, ("0.001", "0.020"), factors, strict=True)
         ],
-        because=r"the factors are $\tfrac{100}{71}$ and $\tfrac{800}{609}$: the stiffness is "
-        "extended by 41 % and the damping by 31 %",
+        because=r"the factors are $\tfrac{100}{71}$ and $\tfrac{800}{609}$: the stiffness range "
+        "is extended by 41 % and the damping range by 31 %",
         places=6,
     )
     _extension(page)
@@ -64,9 +66,9 @@ def derive(page):
     page.settle(
         "fig6",
         conj(*map(fact, page.claim("fig6").of)),
-        note="this holds at $T=1$ ms; the excluded row has $k_H/m_H=6667$ 1/s$^2$ and $b_H/m_H=50$ "
-        r"1/s, but (23) allows 1000 1/s$^2$ and 20 1/s. For the 30\,\% of the caption see "
-        r"\texttt{s4c-extension-30}",
+        note="the statement holds at $T=1$ ms; the excluded row has $k_H/m_H=6667$ 1/s$^2$ and "
+        r"$b_H/m_H=50$ 1/s, but (23) allows 1000 1/s$^2$ and 20 1/s. For the 30\,\% of the "
+        r"caption see \texttt{s4c-extension-30}",
     )
 
 
@@ -87,7 +89,7 @@ def _extension(page):
         misprint=False,
         example=at,
         unless=[(at, denial)],
-        shows=r"at $T=1$ ms the range of $\gamma$ grows by the factor $1.408$",
+        shows=r"at $T=1$ ms, the range of $\gamma$ grows by a factor of $1.408$",
         note=r"the ranges are extended by 41\,\% and 31\,\%, which is safe in both cases; the "
         r"statement is true for $\delta$. For shorter periods the ranges have an even larger "
         "margin",
@@ -125,7 +127,8 @@ def periods(page):
         limit,
         Rational("13.225"),
         name="12.6+0.625",
-        because=r"then 13.225 would limit $\delta/T$ in (22), in place of 15.225",
+        because=r"without this row, the limit of $\delta/T$ in (22) would be 13.225 instead of "
+        "15.225",
     )
     page.settle_external(
         "s4c-wider-delta",

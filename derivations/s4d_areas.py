@@ -1,7 +1,7 @@
-r"""How much area does a delay take from the stable region?
+r"""By how much does a delay reduce the area of the stable region?
 
 The paper says that the region becomes smaller. The regions of two delays are not nested
-(\chapter{s4d_parts_delay}). This chapter compares their areas.
+(\chapter{s4d_parts_delay}). This chapter compares the areas of these regions.
 """
 
 from symhaptic.book.lemmas.areas import around, delay_takes_area, inside
@@ -13,11 +13,11 @@ DELAY = 2
 def derive(page):
     page.say(
         "A polygon of stable walls bounds the area of a region from below, and a polygon that "
-        "holds all stable walls bounds it from above. All walls of a convex polygon are stable if "
-        "one of them is stable and no wall of the polygon puts a zero of the characteristic "
-        "polynomial on the unit circle. We check the second condition at each angle: one side of "
-        "the polygon separates the polygon from the wall that has a zero at this angle. For the "
-        f"arm of Figs. 11 and 12 and $d={DELAY}$:"
+        "holds all stable walls bounds it from above. All walls of a convex polygon are stable "
+        "if one of them is stable and no wall of the polygon puts a zero of the characteristic "
+        "polynomial on the unit circle. We check the second condition at each angle: one side "
+        "of the polygon separates the polygon from the wall that has a zero at this angle. For "
+        f"the arm of Figs. 11 and 12 and $d={DELAY}$, two polygons give the bounds:"
     )
     page.lemma(f"The walls of a polygon are stable for $d={DELAY}$", inside(DELAY))
     page.say(

@@ -1,4 +1,4 @@
-r"""How much area do the spring, the damper and the mass of an arm give to the stable region?
+r"""How do the spring, the damper and the mass of an arm change the area of the stable region?
 
 Each of them can destabilise a single wall (\chapter{s4d_parts_of_the_arm}). This chapter compares
 the areas of the regions without delay.
@@ -18,7 +18,7 @@ from symhaptic.proof.theorems.leaves import on_box as on_plain_box
 def derive(page):
     page.say(
         r"Without delay, a spring with $\gamma=0.001$ moves the region to the left and does not "
-        r"make it smaller: every stable wall, moved by $-0.001$ in $\alpha$, satisfies each of "
+        r"make it smaller. Every stable wall, moved by $-0.001$ in $\alpha$, satisfies each of "
         "Jury's inequalities with the spring."
     )
     spring = page.lemma(
@@ -27,14 +27,14 @@ def derive(page):
         spring_adds(),
     )
     damper = page.lemma(
-        "A stable wall stays stable with more damping, inside (23)",
+        "A stable wall stays stable with more damping, for the arms of (23)",
         damper_adds(),
-        because="so the region with more damping contains the region with less damping",
+        because="therefore the region with more damping contains the region with less damping",
     )
     page.say(
-        r"With twice the mass $\alpha$ and $\beta$ of the same wall are half as large. Therefore "
-        r"the same area in the plane of $\alpha$ and $\beta$ is four times as large in the plane "
-        "of $K$ and $B$."
+        r"With twice the mass, $\alpha$ and $\beta$ of the same wall are half as large. "
+        r"Therefore the same area in the plane of $\alpha$ and $\beta$ is four times as large in "
+        "the plane of $K$ and $B$."
     )
     mass = page.lemma(
         "Four times the area with twice the mass exceeds the area with the single mass", mass_adds()
@@ -42,9 +42,10 @@ def derive(page):
     page.settle(
         "s4d-all-stabilising-area",
         conj(spring, damper, mass),
-        note="this is proved without delay. The spring is the largest of (23), with the smallest "
-        "and the largest damping. The damper is any inside (23). The mass is twice that of the arm "
-        "of Figs. 11 and 12. A single wall can lose its stability (s4d-all-stabilising)",
+        note="the statement is proved without delay. The spring is the stiffest of (23), with "
+        "the smallest and the largest damping. The damper may have any damping in the range "
+        "(23). The mass is twice that of the arm of Figs. 11 and 12. A single wall can lose its "
+        "stability (s4d-all-stabilising)",
     )
 
 

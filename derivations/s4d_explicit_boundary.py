@@ -2,7 +2,7 @@ r"""Is there an explicit stability boundary with delay and stiffness?
 
 The paper computes the boundary of the stable region on a grid, since the usual inequalities grow
 with the delay. But the characteristic polynomial is affine in $\alpha$ and $\beta$, so that one
-complex equation on the unit circle gives both coefficients.
+complex equation on the unit circle determines them.
 """
 
 from symhaptic.book.figures.arguments import crossing
@@ -26,15 +26,17 @@ def derive(page):
         name=r"\frac{p_1(z)}{zN(z)}",
         because=r"the polynomial vanishes if $\alpha+\beta(1-1/z)=Q$ with $Q=-z^dA/N$",
     )
-    page.say(r"On the circle, $z=e^{j\theta}$, its real and imaginary part are real equations.")
+    page.say(
+        r"On the circle, $z=e^{j\theta}$, the condition $p_1=0$ consists of two real equations."
+    )
     stiffness, damping = boundary.solved(on_circle(q))
     page.step(
-        "At each angle one wall solves both equations",
+        "At each angle one wall solves the two equations",
         on_circle(polynomial).subs({alpha: stiffness, beta: damping}),
         S.Zero,
-        name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,"
-        r"\ \alpha=\Re Q-\beta(1-\cos\theta)}",
-        because=r"this holds for every plant, and for every real $d$ with $z^d=e^{jd\theta}$",
+        name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,\ \alpha=\Re Q-\beta(1-\cos\theta)}",
+        because="the two parts vanish for every plant, and for every real $d$ with "
+        r"$z^d=e^{jd\theta}$",
         boxed=True,
     )
     page.figure(
@@ -87,7 +89,8 @@ def derive(page):
         S.Zero,
         d + S.Half,
         name=r"\beta(\theta)/\alpha(\theta)",
-        because="the ratio of damping to stiffness is the delay plus half a period for the hold",
+        because="near the origin, the ratio of damping to stiffness is the delay plus half a "
+        "period for the hold",
     )
     _settled(page)
     _undamped(page)
@@ -100,10 +103,10 @@ def _settled(page):
     exact = page.lemma(
         r"The polynomial has a zero at $e^{j\theta}$ for this wall and for no other",
         zero_on_circle_is_explicit(),
-        because=r"this holds for every device whose $N$ does not vanish at $e^{j\theta}$",
+        because=r"the statement holds for every device whose $N$ does not vanish at $e^{j\theta}$",
     )
     page.lemma(
-        "For a damped device $N$ does not vanish on the circle",
+        "For a damped device, $N$ does not vanish on the circle",
         numerator_on_circle(),
         because="a held force that is multiplied by $z$ in each period does work",
     )
@@ -112,17 +115,16 @@ def _settled(page):
     found = add_assum(as_claimed(explicit(), exact), *given)
     page.state(
         "explicit-boundary",
-        "for every spring, damper and delay the walls with a zero at $e^{j\\theta}$, "
-        "$0<\\theta<\\pi$, are $\\beta=\\Im Q/\\sin\\theta$, "
-        "$\\alpha=\\Re Q-\\beta(1-\\cos\\theta)$ with "
-        "$Q=-e^{jd\\theta}A(e^{j\\theta})/N(e^{j\\theta})$",
+        r"for every spring, damper and delay the walls with a zero at $e^{j\theta}$, "
+        r"$0<\theta<\pi$, are $\beta=\Im Q/\sin\theta$, $\alpha=\Re Q-\beta(1-\cos\theta)$ with "
+        r"$Q=-e^{jd\theta}A(e^{j\theta})/N(e^{j\theta})$",
         claim=every(arm, given, explicit()),
     )
     page.settle(
         "explicit-boundary",
         for_all(arm, given, found),
         example={gamma: S.One, delta: S.One, d: S.One},
-        note="for fractional delays it uses the principal sheet of the paper's substitution",
+        note="for fractional delays, the boundary is that of the principal sheet of $z^{-d}$",
     )
     page.settle_external(
         "s4d-explicit-only-undelayed",
@@ -156,10 +158,11 @@ def _undamped(page):
         SPRING * first,
         name=r"\alpha(\theta)",
         boxed=True,
-        because=r"this holds for every real $d$ with $z^d=e^{jd\theta}$, and for $\cos\Omega\ne1$",
+        because=r"the formula holds for every real $d$ with $z^d=e^{jd\theta}$, and for "
+        r"$\cos\Omega\ne1$",
     )
     page.step(
-        "A sine gives the damping on the boundary",
+        "The damping on the boundary is a multiple of a sine",
         stiffness + 2 * damping,
         SPRING * second,
         name=r"\alpha(\theta)+2\beta(\theta)",
@@ -210,8 +213,8 @@ def begin(page, stiffness, damping):
         up / right,
         d + half - (d + 1) * (2 * d + 1) * (2 * d + 3) / (12 * right),
         name=r"\frac{d\beta}{d\alpha}",
-        because="this holds for every spring and every delay; the two slopes are equal only for "
-        r"a free mass, $x\to1$",
+        because="the inequality holds for every spring and every delay; the two slopes are "
+        r"equal only for a free mass, $x\to1$",
     )
 
 
@@ -232,7 +235,7 @@ def end(page):
     )
     per_gamma = per_gamma.subs(x, -1)
     page.step(
-        r"The stiffness stays finite if $\Omega$ is an odd multiple of $\pi$, that is for $x=-1$",
+        r"The stiffness stays finite if $\Omega$ is an odd multiple of $\pi$, that is, for $x=-1$",
         per_gamma * cos(ANGLE) / cos(theta / 2) ** 2,
         -cos(ANGLE),
         name=r"\frac{\alpha}{\gamma}\Big|_{x=-1}",
@@ -242,5 +245,5 @@ def end(page):
         2 * per_gamma * sin(ANGLE) / sin(theta),
         -sin(ANGLE) / tan(theta / 2),
         name=r"\frac{\alpha+2\beta}{\gamma}\Big|_{x=-1}",
-        because=r"so the boundary ends at $\alpha=(-1)^d\gamma$, $\beta=-\alpha/2$",
+        because=r"therefore the boundary ends at $\alpha=(-1)^d\gamma$, $\beta=-\alpha/2$",
     )

@@ -1,7 +1,7 @@
 r"""Where does the explicit boundary begin and end?
 
-The boundary has one point for each angle $0<\theta<\pi$. We ask for its two ends and for its
-direction at the first of them. We compare this direction with the line
+The boundary has one point for each angle $0<\theta<\pi$. We ask for the two ends of the boundary
+and for its direction at the first end. We compare this direction with that of the line
 $\beta+\delta=\alpha(d+\tfrac12)$ of (25).
 """
 
@@ -27,7 +27,7 @@ def start(page):
     page.lemma(
         r"At $z=1$ the denominator is $\gamma$ times the numerator",
         device_static(assume(DEVICE)),
-        because=r"this follows from $P(1)=1/\gamma$ and eliminates $a$",
+        because=r"the equality follows from $P(1)=1/\gamma$ and eliminates $a$",
     )
     page.say("Three abbreviations for the device keep the formulas short:")
     page.define(r"The second coefficient has the share $\nu$ of the numerator's sum", nu, NU)
@@ -81,32 +81,32 @@ def without_spring(page, slope):
     device = plant.sampled(plant.normalised(Parts(stiffness=False)))
     numbers = {gamma: 0, N_1: device.n1, N_0: device.n0, E: device.e}
     page.step(
-        r"Without a spring $s_1$ is the damping $\delta$",
+        r"Without a spring, $s_1$ is the damping $\delta$",
         FIRST.subs(numbers),
         delta,
         name=r"s_1\big|_{\gamma=0}",
     )
     page.step(
-        "Without a spring the mass $s_2$ is 1",
+        "Without a spring, the mass $s_2$ is 1",
         SECOND.subs(numbers),
         S.One,
         name=r"s_2\big|_{\gamma=0}",
     )
     excess = cosh(delta / 2) / sinh(delta / 2) - 2 / delta
     page.step(
-        "Without a spring the boundary starts at $(0,-\\delta)$ with the slope",
+        r"Without a spring, the boundary starts at $(0,-\delta)$ with an explicit slope",
         slope.subs(numbers),
         d + Rational(1, 2) - ((d + 1) ** 2 * delta + excess) / (2 + 2 * (d + 1) * delta),
         name=SLOPE,
         boxed=True,
-        because=r"the slope equals the $d+\tfrac12$ of (25) in the limit $\delta\to0$ only",
+        because=r"the slope equals the slope $d+\tfrac12$ of (25) in the limit $\delta\to0$ only",
     )
     page.lemma(
         "Without a spring the boundary has a smaller initial slope than the line of (25), for "
         r"$\delta>0$",
         cotangent_exceeds(),
-        because="the difference is the last term of the slope above, and the boundary begins below "
-        "the line",
+        because="the difference is the last term of the previous slope, and the boundary begins "
+        "below the line",
     )
 
 
@@ -141,7 +141,7 @@ def gap(page):
         S.One,
         name=r"\frac{720\,(n_1+n_0)\,e^{\delta/2}}{\delta\gamma^2}\,g",
         because=r"with a period that is $h$ times as long, $\delta$ and $c$ become $h\delta$ and "
-        "$hc$; $n_1+n_0$ and the exponential tend to 1",
+        r"$hc$; for $h\to0$, $n_1+n_0$ and the exponential tend to 1",
     )
     corner = {gamma: Rational(1, 1000), delta: Rational(1, 50), c: sqrt(-Rational(9, 2500))}
     page.enclosed(

@@ -30,8 +30,8 @@ def derive(page):
     )
     page.same("the curve as a graph", top / size, CURVE.subs(beta, side / size))
     page.say(
-        "For each damping there is one stiffness at which Jury's minor, which is linear in "
-        r"$\alpha$, vanishes."
+        r"Jury's minor is linear in $\alpha$, so that it vanishes at one stiffness for each "
+        "virtual damping."
     )
     curve = page.lemma(
         "The stable walls are those above $\\beta=-1$ between a line and this curve",

@@ -33,7 +33,7 @@ def derive(page):
     found = page.lemma(
         r"Near the origin the stable walls are those right of $\alpha=-\gamma$ and above the line",
         origin(),
-        because=r"the statement is exact except for an error of $0.0001$ in $\beta$",
+        because=r"the statement is exact to within $0.0001$ in $\beta$",
         boxed=True,
     )
     page.say(

@@ -2,7 +2,7 @@ r"""How much does an arm's stiffness change the region with a delay?
 
 Fig. 9 of the paper shows the stable walls for $d=1$ and $d=2$ at the limits of the arm's stiffness
 and damping. The stiffness moves the left bound by $\gamma\le0.001$, as it does without delay, but
-the region is smaller. We compare this shift with the width of the region.
+the region is smaller. We compare the shift of the left bound with the width of the region.
 """
 
 from symhaptic.book.figures.stability import delayed
@@ -22,9 +22,9 @@ def derive(page):
         r"$|N|^2=n_1^2+n_0^2+2n_1n_0\cos\theta$ at $z=e^{j\theta}$."
     )
     page.lemma(
-        "With a delay one wall at each angle has a zero of the loop at $e^{j\\theta}$",
+        r"With a delay, one wall at each angle gives the loop a pole at $e^{j\theta}$",
         zero_on_circle_is_explicit(),
-        because=r"this holds for every device whose $N$ does not vanish at $e^{j\theta}$",
+        because=r"the statement holds for every device whose $N$ does not vanish at $e^{j\theta}$",
     )
     page.say(
         r"The regions are largest with the damping $\delta=0.02$. For this damping we bound the "
@@ -38,9 +38,9 @@ def derive(page):
                 none_above((spring, DAMPED), late)[1],
             )
     page.say(
-        r"So the shift $\gamma=0.001$ is more than $1/170$ of the width for $d=1$ and more than "
-        "$1/80$ for $d=2$; without delay it is $1/690$. Stable walls lie next to the line "
-        r"$\alpha=-\gamma$, so the regions reach this line:"
+        r"So the shift of $\gamma=0.001$ is more than $1/170$ of the width of the region for "
+        "$d=1$ and more than $1/80$ for $d=2$; without delay it is $1/690$. Stable walls lie "
+        r"next to the line $\alpha=-\gamma$, so the regions reach this line:"
     )
     beside = {alpha: -STIFF + THIN / 2, gamma: STIFF, delta: DAMPED}
     for late in (1, 2):
@@ -60,7 +60,7 @@ def derive(page):
     page.lemma(
         "Stable walls lie right of $\\alpha=-\\gamma$, for all arms of (23)",
         right_of_the_line(),
-        because=r"$p_1(1)=(\alpha+\gamma)(n_1+n_0)$, and the polynomial of a stable wall is "
+        because=r"here $p_1(1)=(\alpha+\gamma)(n_1+n_0)$, and the polynomial of a stable wall is "
         "positive at 1",
     )
     page.say(
@@ -72,8 +72,8 @@ def derive(page):
     page.lemma(
         "Walls that no boundary separates from a stable wall are stable",
         enclosed_walls_are_stable(),
-        because="along a path between two walls the zeros are continuous, and none crosses the "
-        "circle; this holds for every plant and every integer delay",
+        because="along a path between two walls the roots are continuous, and none of them "
+        "crosses the circle; this holds for every plant and every integer delay",
     )
     page.settle(
         "fig9", drawn(), note="for $d=2$ the spring changes the width by more than one percent"

@@ -58,15 +58,15 @@ def derive(page):
         (-diff(loose, beta) / diff(loose, z)).subs(beta, 0).subs(z, 1),
         -1,
         name=r"\frac{dz}{d\beta}",
-        because=r"this root is at $z=1$ for $\beta=0$; the other $d+1$ roots are at 0",
+        because=r"the second root is at $z=1$ for $\beta=0$; the other $d+1$ roots are at 0",
     )
     page.step(
         "The first root near 1 moves inside",
         (-diff(polynomial, alpha) / diff(polynomial, z)).subs({alpha: 0, z: 1}),
         -1 / beta,
         name=r"\frac{dz}{d\alpha}",
-        because=r"this root is at $z=1$ for $\alpha=0$. So walls with small $\beta$ and much "
-        r"smaller $\alpha$ are stable, and therefore the whole region is stable",
+        because=r"the first root is at $z=1$ for $\alpha=0$. So walls with a small $\beta$ and a "
+        r"much smaller $\alpha$ are stable, and therefore all walls of the region are stable",
     )
     page.figure(
         "free_mass",
@@ -79,11 +79,11 @@ def derive(page):
 def necessary(page, polynomial):
     """A stable wall lies between the two ends of the first arc."""
     page.step(
-        "At $z=1$ the polynomial is $\\alpha$",
+        r"At $z=1$ the value of the polynomial is $\alpha$",
         polynomial.subs(z, 1),
         alpha,
         name="p_1(1)",
-        because="so $\\alpha>0$",
+        because=r"so every stable wall has $\alpha>0$",
     )
     real = cos(theta / 2) ** 2 * (alpha - 4 * tau**2 * cos(ANGLE))
     imaginary = sin(theta) / 2 * (alpha + 2 * beta - 4 * tau * sin(ANGLE))
@@ -104,11 +104,11 @@ def necessary(page, polynomial):
     )
     page.say(
         r"With all $d+3$ roots inside, the phase of $p_1(e^{j\theta})$ grows by $(d+3)\pi$ over "
-        r"$0<\theta<\pi$, and that of the left side of the last but one step by $(d+2)\pi$. The "
-        r"left side is $\alpha>0$ at $\theta=0$, and its phase always increases, as "
-        r"$\frac12(d+3)>1$. So its real part has $d+2$ zeros. At the first two of them, "
-        r"$\theta_1<\theta_2$, its imaginary part is positive and then negative. The real part and "
-        r"$h=\cos(d+1)\theta-\frac\alpha4\cot^2\frac\theta2$ have the same zeros."
+        r"$0<\theta<\pi$. The phase of the left side of the last but one step grows by "
+        r"$(d+2)\pi$. The left side is $\alpha>0$ at $\theta=0$, and its phase always increases, "
+        r"as $\frac12(d+3)>1$. So its real part has $d+2$ zeros. At the first two of them, "
+        r"$\theta_1<\theta_2$, its imaginary part is positive and then negative. The real part "
+        r"and $h=\cos(d+1)\theta-\frac\alpha4\cot^2\frac\theta2$ have the same zeros."
     )
     level = cos(ANGLE) - alpha / 4 * cot(theta / 2) ** 2
     page.step(
@@ -117,16 +117,17 @@ def necessary(page, polynomial):
     page.lemma(
         "The curvature of $h$ has one sign where $\\cos(d+1)\\theta$ is not negative",
         concave(),
-        because="so $h$ is concave there",
+        because="so $h$ is concave where the cosine is not negative",
     )
     page.say(
-        r"A zero of $h$ requires $\cos(d+1)\theta>0$. On the first interval, $(d+1)\theta<\pi/2$, "
-        r"and on each interval around $2\pi,4\pi,\ldots$ a concave $h$ has at most two zeros. For "
-        r"odd $d$, $h$ has one zero on the half interval before $\theta=\pi$, as it rises from "
-        "negative values to 1. These are at most $d+2$ zeros, so each interval contains its "
-        r"maximal number of zeros, and $\theta_1$, $\theta_2$ lie on the first arc. At both angles "
-        r"$\alpha$ is the stiffness of the boundary, and by the signs of the imaginary part "
-        r"$\beta$ lies between the two dampings. No other wall is stable."
+        r"A zero of $h$ requires $\cos(d+1)\theta>0$. On the first interval, "
+        r"$(d+1)\theta<\pi/2$, and on each interval around $2\pi,4\pi,\ldots$ a concave $h$ has "
+        "at most two zeros. For odd $d$, $h$ has one zero on the half interval before "
+        r"$\theta=\pi$, as it rises from negative values to 1. These are at most $d+2$ zeros, so "
+        r"each interval contains its maximal number of zeros, and $\theta_1$, $\theta_2$ lie on "
+        r"the first arc. At $\theta_1$ and $\theta_2$, $\alpha$ is the stiffness of the "
+        r"boundary. By the signs of the imaginary part, $\beta$ lies between the two dampings. "
+        "No other wall is stable."
     )
 
 

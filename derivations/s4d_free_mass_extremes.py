@@ -1,4 +1,4 @@
-r"""What are the largest stiffness and the largest damping of a stable wall of a free mass?
+r"""What are the largest stable stiffness and the largest stable damping of a free mass?
 
 The stable walls of a free mass lie between the line $\alpha=0$ and the first arc of the boundary,
 $0<(d+1)\theta\le\pi/2$. On this arc we look for the largest stiffness and the largest damping.
@@ -66,14 +66,14 @@ def derive(page):
         name=r"\frac{d\alpha}{d\theta}",
     )
     page.step("The slope of $g$ is a sum", -diff(bend, theta), FALL, name=r"-\frac{dg}{d\theta}")
-    page.lemma("The function $g$ falls along the arc: each term is positive", falls)
+    page.lemma("The function $g$ falls along the arc: each term of $-g'$ is positive", falls)
     page.step(r"At $\theta=0$ the function $g$ is 2", bend.subs(theta, 0), S(2), name="g(0)")
     page.step(
         "The function $g$ is negative where the arc ends",
         -bend.subs(theta, pi / (2 * (d + 1))),
         (d + 1) * sin(pi / (2 * (d + 1))),
         name=r"-g\bigl(\tfrac{\pi}{2(d+1)}\bigr)",
-        because="so for every real $d$ the largest stiffness is at the angle with "
+        because="therefore, for every real $d$, the largest stiffness is at the angle with "
         r"$(d+1)\tan(d+1)\theta\,\sin\theta=2$",
     )
     whole_delays(page, stiffness, bend)
@@ -119,7 +119,7 @@ def whole_delays(page, stiffness, bend):
     page.minimal(
         "The largest stiffnesses are algebraic, with these minimal polynomials",
         [(rf"\mu_{delay}(\rho)", number) for delay, number in enumerate(found)],
-        because="$\\alpha_{\\max}(d)/4$ is the smallest positive root of $\\mu_d$",
+        because=r"the value $\alpha_{\max}(d)/4$ is the smallest positive root of $\mu_d$",
     )
     page.enclosed(
         "Intervals contain the largest stable stiffnesses of a free mass",

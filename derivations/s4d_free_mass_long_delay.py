@@ -21,13 +21,14 @@ def derive(page):
     page.define("The number $h$ is the reciprocal of the delay plus one period", d, 1 / h - 1)
     page.define(r"The boundary of a free mass has the stiffness $\alpha$", alpha, stiffness)
     scaled = page.step(
-        r"As a function of $\varphi$ the stiffness is its limit times a factor near 1",
+        r"As a function of $\varphi$, the scaled stiffness $(d+1)^2\alpha$ is its limit for long "
+        "delays times a factor near 1",
         stiffness / h**2,
         LONG * (tan(h * phi / 2) / (h * phi / 2)) ** 2,
         name=r"(d+1)^2\alpha",
     )
     page.limit(
-        "For long delays the stiffness tends to $\\varphi^2\\cos\\varphi$",
+        r"For long delays, the scaled stiffness tends to $\varphi^2\cos\varphi$",
         scaled,
         h,
         S.Zero,
@@ -80,8 +81,8 @@ def expansion(page, scaled, angle):
         diff(LONG, phi, 2).subs(there),
         -(6 + phi**2) * cos(phi),
         name=r"\tfrac{d^2}{d\varphi^2}\,\varphi^2\cos\varphi",
-        because="since the curvature is not zero, the largest value and its angle are power series "
-        "in $h^2$",
+        because="because the curvature is not zero, the largest value and its angle are power "
+        "series in $h^2$",
     )
     shift = diff(next_one, phi).subs(there) ** 2 / (2 * bent)
     page.say(
@@ -121,8 +122,8 @@ def sides(page):
     page.lemma(
         "The slope of $\\tan\\psi/\\psi$ is positive for $0<\\psi<\\pi/2$",
         rises(),
-        because="so with $\\psi=h\\varphi/2$ the stiffness $(d+1)^2\\alpha$ at a given $\\varphi$ "
-        "falls as $d$ grows",
+        because=r"therefore, with $\psi=h\varphi/2$, the stiffness $(d+1)^2\alpha$ at a given "
+        r"$\varphi$ falls as $d$ grows",
     )
 
 

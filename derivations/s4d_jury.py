@@ -2,7 +2,7 @@
 
 The paper names Jury's criterion for the stable regions, but uses a grid, since the inequalities
 soon become complicated. We look for few and small inequalities that are equivalent to stability,
-for any polynomial. Half of Jury's determinants are sufficient, if linear inequalities (half planes)
+for any polynomial. Half of Jury's determinants are sufficient if linear inequalities (half planes)
 replace the others (Anderson and Jury, 1973).
 """
 
@@ -25,20 +25,20 @@ def derive(page):
     )
     halves(page)
     page.say(
-        r"On the circle $z^{-n/2}p$ is $\tfrac12F+j\sin\theta\,G$ for even $n$ and "
-        r"$\cos\tfrac\theta2\,F+j\sin\tfrac\theta2\,G$ for odd $n$. Let all roots lie inside. Then "
-        r"the argument of every factor $z-z_i$ increases, and that of $p$ grows by $n\pi/2$ over "
-        r"$0<\theta<\pi$. So $p$ crosses the imaginary axis ($n$ even) or the real axis ($n$ odd) "
-        "$m$ times. At each crossing $F$ or $G$ has a root that is real and simple and has "
-        "$|x|<2$. The direction of the crossing gives $F'G>0$ at the roots of $F$, and $FG'<0$ at "
-        "the roots of $G$."
+        r"On the circle, $z^{-n/2}p$ is $\tfrac12F+j\sin\theta\,G$ for even $n$ and "
+        r"$\cos\tfrac\theta2\,F+j\sin\tfrac\theta2\,G$ for odd $n$. Let all roots lie inside. "
+        r"Then the argument of every factor $z-z_i$ increases, and that of $p$ grows by $n\pi/2$ "
+        r"over $0<\theta<\pi$. So $p$ crosses the imaginary axis ($n$ even) or the real axis ($n$ "
+        "odd) $m$ times. At each crossing $F$ or $G$ has a root that is real and simple and has "
+        "$|x|<2$. The direction of the crossing gives $F'G>0$ at the roots of $F$, and $FG'<0$ "
+        "at the roots of $G$."
     )
     page.say(
-        "Conversely, let all $m$ roots of $F$ or of $G$ have these properties, and let $p(1)>0$, "
-        "and for odd $n$ also $G(2)>0$. The argument starts at 0, crosses the axis $m$ times in "
-        r"the positive direction and ends on an axis: at $m\pi$ for even $n$ and at "
-        r"$m\pi+\frac\pi2$ for odd $n$. Both are $n\pi/2$, so $p$ encircles the origin $n$ times "
-        "on the full circle, and all roots lie inside."
+        "Conversely, let all $m$ roots of $F$ or of $G$ have these properties, and let "
+        "$p(1)>0$, and for odd $n$ also $G(2)>0$. The argument of $p$ starts at 0, crosses the "
+        r"axis $m$ times in the positive direction and ends on an axis: at $m\pi$ for even $n$ "
+        r"and at $m\pi+\frac\pi2$ for odd $n$. Both angles are $n\pi/2$, so $p$ encircles the "
+        "origin $n$ times on the full circle, and all roots lie inside."
     )
     page.say(
         "A symmetric matrix $B$ of order $m$ decides whether the roots are real, simple and "
@@ -47,16 +47,16 @@ def derive(page):
     )
     bezout(page)
     page.say(
-        "Suppose that $B$ is positive definite. Then $F$ (or $G$) has no complex pair "
-        r"$\xi,\bar\xi$ and no double root, since the form would vanish there, and $F'G>0$ (or "
-        "$FG'<0$) at each root. Conversely, if the roots are real and simple and have this sign, "
-        "the form is a sum of $m$ squares with positive weights. So all roots of $p$ lie inside if "
-        "the $m$ leading minors of $B$ are positive and the roots of $F$ (or $G$) have $|x|<2$. "
-        "For even $n$ the first row has the factor $f_m=a_n+a_0$. We divide by this factor, since "
-        "the following conditions make it positive."
+        "Suppose that $B$ is positive definite. Then $F$ (or $G$) has no pair of complex roots "
+        r"$\xi,\bar\xi$ and no double root, because the quadratic form of $B$ would vanish there. "
+        "At each root $F'G>0$ (or $FG'<0$). Conversely, if the roots are real and simple and "
+        "have this sign, the form is a sum of $m$ squares with positive weights. So all roots of "
+        "$p$ lie inside if the $m$ leading minors of $B$ are positive and the roots of $F$ (or "
+        "$G$) have $|x|<2$. For even $n$ the first row has the factor $f_m=a_n+a_0$. We divide "
+        "by this factor, since the following conditions make it positive."
     )
     page.step(
-        "The circle is mapped to the imaginary axis",
+        "The circle is mapped to the imaginary axis of $s$",
         (z + 1 / z).subs(z, (1 + s) / (1 - s)),
         2 * (1 + s**2) / (1 - s**2),
         name="x",
@@ -119,7 +119,7 @@ def bezout(page):
         page.same("the diagonal", there, F.diff(x) * G - F * G.diff(x))
         if m == 2:
             page.step(
-                "At $x=y$ the form is a Wronskian",
+                "At $x=y$ the quadratic form is a Wronskian",
                 there,
                 F.diff(x) * G - F * G.diff(x),
                 name=r"\lim_{y\to x}\frac{F(x)G(y)-F(y)G(x)}{x-y}",
@@ -137,7 +137,7 @@ def half_planes(page):
         half = polynomials(rising)[n % 2].subs(x, 2 * (1 + s**2) / (1 - s**2))
         part = (mapped + (-1) ** n * mapped.subs(s, -s)) / 2
         page.same("parity", part, (1 - s**2) ** (n // 2) * half * (s if n % 2 else S.Half))
-    page.say("With the factor $(1-s)^n$ the coefficients $c_k$ keep the sign of $p$:")
+    page.say("For degree 3 the half planes are given by three of the coefficients $c_k$:")
     for k, at, plane, c in zip(
         (0, 1, 3),
         ("first half plane belongs to $z=1$", "second lies between", "last belongs to $z=-1$"),

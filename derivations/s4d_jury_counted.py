@@ -40,7 +40,8 @@ def derive(page):
             - n_0 * alpha * (1 + n_1 * beta)
             > 0,
         ),
-        because="this holds for any device; a theorem of this kind holds for each integer delay",
+        because="the statement holds for any device; a corresponding theorem holds for each "
+        "integer delay",
         boxed=True,
     )
     none_is_idle(page, found.conclusion.of[1])
@@ -57,8 +58,8 @@ def derive(page):
     page.settle(
         "jury-inequalities",
         jury_decides(),
-        note="for longer delays the same program makes the inequalities, and tests compare them "
-        "with computed roots",
+        note="for longer delays the same program derives the inequalities, and tests compare "
+        "them with computed roots",
     )
     page.say("With a delay there are $d+4$ inequalities, and the largest one grows with $d$:")
     page.table(
@@ -70,18 +71,18 @@ def derive(page):
     )
 
     page.say(
-        r"The largest inequality has an interpretation. For roots $r_1,\ldots,r_n$ of a monic "
-        "polynomial:"
+        r"The largest inequality has an interpretation. Let $r_1,\ldots,r_n$ be the roots of a "
+        "monic polynomial. For degree 3 the last minor is a product over all pairs of roots:"
     )
     pairs(page)
     page.say(
-        "This holds for every $n$. Up to a positive factor the last minor is the resultant of $F$ "
-        "and $G$. The resultant is zero if both share a root $x$, that is, if $p(z)=p(1/z)=0$. So "
-        "the resultant has every factor $1-r_ir_k$. The degrees agree, and both sides are 1 for "
-        r"$z^n$. On a path out of the stable region \emph{only $p(1)$, $p(-1)$ and the last minor "
-        "can vanish first}: a root leaves the unit circle at 1, at $-1$ or together with its "
-        r"conjugate, $r\bar r=1$. The other inequalities exclude walls with an even number of "
-        "roots outside."
+        "The same holds for every $n$. Up to a positive factor the last minor is the resultant "
+        "of $F$ and $G$. The resultant is zero if $F$ and $G$ share a root $x$, that is, if "
+        "$p(z)=p(1/z)=0$. So the resultant has every factor $1-r_ir_k$. The degrees of the "
+        "minor and of the product agree, and both are 1 for $z^n$. On a path out of the stable "
+        r"region \emph{only $p(1)$, $p(-1)$ and the last minor can vanish first}: a root leaves "
+        r"the unit circle at 1, at $-1$ or together with its conjugate, $r\bar r=1$. The other "
+        "inequalities exclude walls with an even number of roots outside."
     )
 
 

@@ -21,8 +21,8 @@ def derive(page):
     rest = held.transfer.subs(z, 1).subs(gamma, (delta**2 - c**2) / 4)
     page.same("at rest", rest, 4 / (delta**2 - c**2))
     page.say(
-        r"A device with a spring has $P(1)=1/\gamma$, that is $a=1+e-\gamma(n_1+n_0)$. So for "
-        "any device:"
+        r"A device with a spring has $P(1)=1/\gamma$, that is $a=1+e-\gamma(n_1+n_0)$. So one "
+        "half plane bounds the stiffness alone:"
     )
     spring = {a: 1 + e - gamma * RISE}
     one = RISE * (alpha + gamma)
@@ -39,7 +39,8 @@ def derive(page):
     page.lemma(
         "One stiffness makes the minor vanish, with any spring",
         combined(Eq(split, 0), [assume(Eq(alpha + gamma, top / below)), -below]),
-        because="so the boundary needs neither a grid nor a parameter, with a spring as well",
+        because="therefore the boundary requires neither a grid nor a parameter, even with a "
+        "spring",
         boxed=True,
     )
     page.say(
@@ -60,7 +61,8 @@ def derive(page):
         because="the impulse response of the device is positive during the period",
     )
     page.lemma(
-        r"Without spring and delay the minor and two bounds decide stability if $\delta\le\frac13$",
+        "Without spring and delay, the minor and two bounds decide stability if "
+        r"$\delta\le\frac13$",
         stable_damped_mass(),
         because=r"a stable wall has $1+n_1\beta>0$ and $n_0\beta<1$, so that the minor is not "
         r"positive for $\beta\le-\delta$; the remaining half planes follow from these three "

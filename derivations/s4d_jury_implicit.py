@@ -22,7 +22,7 @@ def derive(page):
         (1 + n_0 * beta) ** 2 * (1 - e - n_1 * (alpha + beta) - n_0 * beta)
         - (low + a) * (low - a * n_0 * beta),
         name=r"\Delta_3",
-        because="this holds for every device",
+        because="the difference has this form for every device",
     )
     page.say(r"Without a spring we show that the minor is quadratic in $\alpha$:")
     page.define("Without a spring the device has a pole at 1", a, 1 + e)
@@ -40,8 +40,8 @@ def derive(page):
     root = (sqrt(linear**2 + 4 * n_0**2 * constant) - linear) / (2 * n_0**2)
     page.same("a root", implicit.subs(alpha, root), S.Zero)
     page.say(
-        "So with one period of delay a square root gives an explicit solution. The solution is "
-        "shortest for a free mass: $p_1(-1)=4$, and four inequalities are left:"
+        "So, with one period of delay, a square root gives an explicit solution. The solution "
+        "is shortest for a free mass: $p_1(-1)=4$, and four inequalities are left:"
     )
     free_mass(page)
     two_roads(page)
@@ -133,7 +133,7 @@ def two_roads(page):
             minor.subs(wall, simultaneous=True),
             S.Zero,
             name=rf"\Delta_{delay + 2}\bigl(\alpha(\theta),\beta(\theta)\bigr)",
-            because=r"the wall satisfies $\alpha+\beta(1-1/z)=-z^dA/N$ on the circle",
+            because=r"on the circle, the wall satisfies $\alpha+\beta(1-1/z)=-z^dA/N$",
         )
     page.figure(
         "jury",

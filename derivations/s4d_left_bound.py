@@ -25,7 +25,7 @@ def derive(page):
         total * gamma,
         (1 - exp(-(delta - c) / 2)) * (1 - exp(-(delta + c) / 2)),
         name=r"\gamma(n_1+n_0)\big|_{c\ge0}",
-        because=r"both factors are positive for $0\le c<\delta$, that is for $\gamma>0$",
+        because=r"the two factors are positive for $0\le c<\delta$, that is, for $\gamma>0$",
     )
     swinging = (total * gamma).subs(gamma, (delta**2 - c**2) / 4).subs(c, 2 * I * phi)
     page.step(
@@ -33,10 +33,10 @@ def derive(page):
         swinging,
         (1 - exp(-delta / 2)) ** 2 + 4 * exp(-delta / 2) * sin(phi / 2) ** 2,
         name=r"\gamma(n_1+n_0)\big|_{c=2j\varphi}",
-        because=r"$c=2j\varphi$, and $\varphi=\omega_dT$ is the angle of the damped natural "
-        r"frequency $\omega_d$. The sum is zero only for $\delta=0$ and "
-        r"$\varphi=2\pi,4\pi,\ldots$; in this case $p_1(1)=0$ for every wall, and no wall is "
-        "stable",
+        because=r"in this case $c=2j\varphi$, and $\varphi=\omega_dT$ is the angle of the damped "
+        r"natural frequency $\omega_d$. The sum is zero only for $\delta=0$ and "
+        r"$\varphi=2\pi,4\pi,\ldots$; in this case $p_1(1)=0$ for every wall, and no wall "
+        "is stable",
     )
     page.step(
         "Without a spring $n_1+n_0>0$",
@@ -51,9 +51,9 @@ def derive(page):
     )
     kept = plant.normalised(FULL).transition(t, c)[1, 1].subs(t, 1)
     at_line = loop.characteristic(FULL, split=c).subs({d: 0, alpha: -gamma, beta: 0})
-    page.define("After a period without a force a unit speed becomes $v$", r, kept)
+    page.define("After a period without a force, a unit speed becomes $r$", r, kept)
     page.step(
-        "For $d=0$ the roots are 0, 1 and this speed $v$",
+        "For $d=0$ the roots are 0, 1 and the speed $r$ after a period",
         at_line,
         z * (z - 1) * (z - r),
         name="p_1(z)",
@@ -63,16 +63,17 @@ def derive(page):
         2 * v * (-delta * v - gamma * x) + 2 * gamma * x * v,
         -2 * delta * v**2,
         name=r"\tfrac{d}{dt}(v^2+\gamma x^2)",
-        because="this is Newton's law, so the speed after the period is less than 1, except for "
-        r"$\delta=0$ and $\varphi=\pi,2\pi,\ldots$",
+        because="the derivative of $v$ is given by Newton's law. The motion starts with $x=0$ "
+        r"and $v=1$ and loses energy, so that $|r|<1$, except for $\delta=0$ and "
+        r"$\varphi=\pi,2\pi,\ldots$",
     )
     page.step(
         "At the root 1 the derivative of the polynomial is positive",
         diff(at_line, z).subs(z, 1),
         1 - r,
         name=r"p_1'(1)",
-        because=r"this derivative and $\partial p_1/\partial\alpha=n_1+n_0$ are positive, so that "
-        r"the root moves inside as $\alpha$ grows",
+        because=r"the derivatives $p_1'(1)$ and $\partial p_1/\partial\alpha=n_1+n_0$ are "
+        r"positive, so that the root moves inside as $\alpha$ grows",
     )
     free = loop.characteristic(Parts(False, False)).subs({d: 0, alpha: 0})
     page.step(

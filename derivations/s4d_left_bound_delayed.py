@@ -20,8 +20,9 @@ from symhaptic.paper.propositions.stability import OTHER, PIECE, damped_region_e
 def derive(page):
     soft_spring(page)
     page.say(
-        r"Take a spring that is far stiffer than an arm, without damping: $\sqrt\gamma=2\pi/3$, so "
-        r"that $\cos\sqrt\gamma=-\tfrac12$. On the line one root is 1; let $x=n_1\beta$:"
+        r"Take a spring that is far stiffer than an arm, without damping: $\sqrt\gamma=2\pi/3$, "
+        r"so that $\cos\sqrt\gamma=-\tfrac12$. On the line $\alpha=-\gamma$ one root is 1. Let "
+        r"$x=n_1\beta$:"
     )
     swinging = plant.sampled(plant.normalised(Parts(damping=False)))
     spring = {gamma: 4 * pi**2 / 9}
@@ -60,7 +61,7 @@ def derive(page):
     )
     damping = (-1 / (10 * swinging.n1)).subs(spring)
     page.lemma(
-        "With that spring and one period of delay a wall away from the line is stable",
+        "With this spring and one period of delay a wall away from the line is stable",
         stable_at({alpha: S.Zero, beta: damping, delta: S.Zero, d: S.One, **spring}),
         because=r"the wall is $\alpha=0$, $n_1\beta=-\tfrac1{10}$",
     )
@@ -86,14 +87,14 @@ def _settled(page):
         as_claimed(claim, arms),
         example={alpha: S.Zero, gamma: S.Zero, delta: S.Zero},
         note=r"for $d\ge1$ inside (23) we show only $\alpha>-\gamma$. At the limits of (23), for "
-        "$d=1$ and $d=2$, stable walls lie next to the line, within the thickness of a printed "
-        "line (fig9). With a stiff spring beyond (23) the region may not reach the line, as for "
-        r"$\sqrt\gamma=\tfrac23\pi$, $d=1$ and $\delta=0$",
+        "$d=1$ and $d=2$, some stable walls are within the thickness of a printed line of this "
+        "bound (fig9). With a spring that is stiffer than (23), the region may not reach the "
+        r"line, as for $\sqrt\gamma=\tfrac23\pi$, $d=1$ and $\delta=0$",
     )
     page.say(
         r"For a damped device without delay, or with one period of delay and $\gamma<2\delta$, "
         "there is a simpler argument. A wall of negative stiffness and little virtual damping "
-        r"then satisfies (5), so that it is stable (\chapter{s5a_passive_is_stable}):"
+        r"then satisfies (5) and is therefore stable (\chapter{s5a_passive_is_stable}):"
     )
     found = page.lemma("The region of a damped device ends on the line", left_bound(), boxed=True)
     claim = damped_region_ends_on_the_line()

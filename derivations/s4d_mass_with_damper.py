@@ -1,7 +1,7 @@
 r"""How large is the stable stiffness of a damped mass without delay?
 
 Without spring and delay, $\gamma=0$ and $d=0$, the characteristic polynomial is a cubic, and its
-stability conditions are explicit. We derive the largest stiffness in closed form, and a bound of
+stability conditions are explicit. We derive the largest stiffness in closed form, and a bound on
 the damping.
 """
 
@@ -41,9 +41,11 @@ def stiffness(page):
     """The largest stable alpha."""
     root = sqrt(N_0 * (N_0 + E * N_1))
     largest = (TOTAL - w) ** 2 / (N_0 * N_1**2)
-    page.define("The number $w$ is a square root of the device's coefficients", w, root)
+    page.define(
+        "The number $w$ is the square root of an expression in the device's coefficients", w, root
+    )
     page.step(
-        "The minor is a positive multiple of the margin minus a square",
+        r"The minor is a positive multiple of $\alpha_{\max}-\alpha$, minus a square",
         (B_1 * B_2 - B_0 * B_3) / 8,
         N_0 * (1 + N_1 * beta) * (largest - alpha)
         - TOTAL * (N_0 * (1 + N_1 * beta) - w) ** 2 / (N_0 * N_1**2),
@@ -51,22 +53,22 @@ def stiffness(page):
         because="a stable wall has $1+n_1\\beta>0$",
     )
     page.lemma(
-        r"Without a spring and with $\delta\le0.1$ no stable wall reaches this stiffness",
+        r"Without a spring and with $\delta\le0.1$, no stable wall reaches this stiffness",
         of_masses(none_stiffer()),
         because="the bound holds for both roots $w$; the positive root gives the stricter bound",
     )
     page.lemma(
-        r"Without a spring and with $\delta\le0.1$ every smaller stiffness is stable with one "
-        "damping",
+        r"Without a spring and with $\delta\le0.1$, every smaller stiffness is stable with the "
+        "same virtual damping",
         of_masses(all_softer()),
     )
     page.step(
-        "The largest stiffness has a closed form",
+        "The largest stable stiffness has a closed form",
         boundary.largest_undelayed(ARM),
         largest,
         name=r"\alpha_{\max}",
         boxed=True,
-        because=r"stable walls approach this bound at $n_0(1+n_1\beta)=w$ and do not attain it",
+        because=r"stable walls approach this bound at $n_0(1+n_1\beta)=w$ but do not attain it",
     )
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     page.step(
@@ -84,7 +86,7 @@ def damping(page, polynomial):
         polynomial.subs(z, 0),
         -N_0 * beta,
         name="p_1(0)",
-        because="so $|\\beta|<1/n_0$ for every stable wall",
+        because=r"therefore $|\beta|<1/n_0$ for every stable wall",
     )
     device = plant.sampled(plant.normalised(Parts(stiffness=False)))
     page.limit(
@@ -94,7 +96,7 @@ def damping(page, polynomial):
         S.Zero,
         Rational(4, 3),
         name=r"\tfrac1\delta\bigl(\tfrac1{n_0}-2\bigr)",
-        because=r"so in SI units $B<2m/T+\frac43b+\ldots$",
+        because=r"in SI units the bound is $B<2m/T+\frac43b+\ldots$",
     )
 
 

@@ -1,7 +1,7 @@
 """Does more damping enlarge the stable region?
 
 One expects that a stronger damper never destabilises a wall. This is true without delay for arms
-inside the ranges (23). For stiffer springs it is false.
+inside the ranges (23). For stiffer springs this is false.
 """
 
 from symhaptic.book.lemmas.more_damped import (
@@ -17,20 +17,20 @@ from symhaptic.paper.propositions.stability import HEAVIER, damping_can_destabil
 
 def derive(page):
     page.say(
-        r"Inside (23) and without delay the stable walls with $\beta>-1$ are those with "
-        r"$\alpha>-\gamma$ and a positive largest minor of Jury "
+        r"For the arms of (23) and without delay, the stable walls with $\beta>-1$ are those "
+        r"with $\alpha>-\gamma$ and a positive largest minor of Jury "
         r"(\chapter{s4d_figure7_undelayed}). So it is sufficient that the minor of a wall rises "
         "with the damping:"
     )
     page.lemma(
-        "Of two dampers the larger one gives the larger minor of a wall",
+        "The stronger of two dampers gives the larger minor of a wall",
         minor_rises(),
         because="the coefficients of the two devices are $n_1,n_0,a,e$ and $n_1'',n_0'',a'',e''$; "
         "balls from the exponential of the plant's matrix and from its derivative show that the "
         "slope is positive",
     )
     page.lemma(
-        "Inside (23) and without delay a stable wall stays stable with more damping",
+        "For the arms of (23) and without delay, a stable wall stays stable with more damping",
         more_damped_is_stable(),
     )
     page.say(
@@ -39,10 +39,10 @@ def derive(page):
         r"positive. This argument fails only for walls with $\alpha=-\gamma$."
     )
     page.lemma(
-        r"Inside (23) and without delay a wall with $\alpha>-\gamma$ on the border of the stable "
-        "region is stable with more damping",
+        r"For the arms of (23) and without delay, a wall with $\alpha>-\gamma$ on the border of "
+        "the stable region is stable with more damping",
         grows(),
-        because=r"a strict inequality along the path holds with $\ge$ in the limit",
+        because=r"a strict inequality along the path holds with $\ge$ at its end",
     )
     then = taken_apart(page.claim("s4d-delta-grows"))[2]
     point = {alpha: S.One / 100, beta: S.One / 10, gamma: S.Zero}
@@ -51,7 +51,7 @@ def derive(page):
         "s4d-delta-grows",
         grown(then),
         example=point,
-        note="this is proved without delay only; with a stiff spring the statement is false "
+        note="the statement is proved without delay only; with a stiff spring it is false "
         "(damping-destabilises)",
     )
     page.say(

@@ -21,7 +21,7 @@ def derive(page):
     page.lemma(
         r"With one more period of delay the boundary begins at $(-\gamma,\beta_0-\gamma)$",
         later,
-        because=r"the start of the boundary moves down by $\gamma$ for every damped device",
+        because=r"for every damped device, the start of the boundary moves down by $\gamma$",
         boxed=True,
     )
     wall = {
@@ -32,26 +32,28 @@ def derive(page):
         d: S.Zero,
     }
     page.say(
-        "If the region reaches this point, the point is its lower left corner. A wall just above "
-        "the corner for $d=1$ lies below the corner for $d=0$. Inside the ranges (23), take "
-        r"$\gamma=0.001$, $\delta=0.01$, $\alpha=-0.0009$, $\beta=-0.011$:"
+        "If the region reaches this point, the point is its lower left corner. A wall just "
+        "above the corner for $d=1$ lies below the corner for $d=0$. For an arm in the ranges "
+        r"(23), take $\gamma=0.001$, $\delta=0.01$, $\alpha=-0.0009$, $\beta=-0.011$:"
     )
     page.lemma(
-        r"With one period of delay $\alpha=-0.0009$, $\beta=-0.011$ is stable",
+        r"With one period of delay the wall $\alpha=-0.0009$, $\beta=-0.011$ is stable",
         stable_at({**wall, d: S.One}),
     )
-    page.lemma("Without delay $\\alpha=-0.0009$, $\\beta=-0.011$ is not stable", unstable_at(wall))
+    page.lemma(
+        r"Without delay the wall $\alpha=-0.0009$, $\beta=-0.011$ is not stable", unstable_at(wall)
+    )
     page.say(
         r"With longer delays the same happens to walls with $K>0$, such as $\alpha=0.0001$, "
         r"$\beta=-0.022$ at $\gamma=0.001$, $\delta=0.02$."
     )
     stiff = {**wall, alpha: Rational(1, 10000), beta: Rational(-11, 500), delta: Rational(1, 50)}
     page.lemma(
-        "After 22 periods of delay $\\alpha=0.0001$, $\\beta=-0.022$ is stable",
+        r"With 22 periods of delay the wall $\alpha=0.0001$, $\beta=-0.022$ is stable",
         stable_at({**stiff, d: S(22)}),
     )
     page.lemma(
-        "After 21 periods $\\alpha=0.0001$, $\\beta=-0.022$ is not stable",
+        r"With 21 periods of delay the wall $\alpha=0.0001$, $\beta=-0.022$ is not stable",
         unstable_at({**stiff, d: S(21)}),
     )
     page.say(
@@ -68,8 +70,8 @@ def derive(page):
         example={gamma: S.Zero, delta: S.One, d: S.Zero},
         misprint=False,
         unless=[({**wall, LATER: S.One}, *(stable_at({**wall, d: S.One}), unstable_at(wall)))],
-        shows="a wall inside (23) that is stable at $d=1$ and unstable at $d=0$",
-        note="the statement is false for the regions as sets of walls, also if only walls with "
-        "$K>0$ count. For their areas it is true for the arm of Figs. 11 and 12 up to $d=8$ "
-        "(s4d-delay-shrinks-area)",
+        shows="with an arm of (23), some wall is stable at $d=1$ and unstable at $d=0$",
+        note="the statement is false for the regions as sets of walls, even if only walls with "
+        "$K>0$ count. For the areas of the regions it is true for the arm of Figs. 11 and 12 up "
+        "to $d=8$ (s4d-delay-shrinks-area)",
     )

@@ -1,8 +1,8 @@
 r"""Do the mass, the spring and the damper of an arm all stabilise the wall?
 
-The paper concludes that each of them is stabilising. A single wall that is stable without one of
-these parts and unstable with it is a counterexample. The areas of the regions are compared in
-\chapter{s4d_areas_of_the_arm}. For each wall we show its polynomial,
+The paper concludes that each of these parts is stabilising. A single wall that is stable without
+one of these parts and unstable with it is a counterexample. The areas of the regions are compared
+in \chapter{s4d_areas_of_the_arm}. For each wall we show its polynomial,
 $z^{d+1}(z^2-az+e)+(n_1z+n_0)((\alpha+\beta)z-\beta)$ with the numbers of the device, and the zero
 that certified balls isolate. Without delay a calculation by hand is sufficient: Jury's inequality
 $1-a_0^2>|a_1-a_0a_2|$ decides the stability of $z^3+a_2z^2+a_1z+a_0$.
@@ -28,7 +28,7 @@ def derive(page):
         d: S.Zero,
     }
     free = page.lemma(
-        "Without a spring $\\alpha=\\frac{269}{400}$, $\\beta=\\frac{97}{100}$ is stable",
+        r"Without a spring the wall $\alpha=\frac{269}{400}$, $\beta=\frac{97}{100}$ is stable",
         stable_at(wall),
     )
     page.say(
@@ -75,10 +75,10 @@ def derive(page):
             (_arms(wall, 1, sprung[gamma]), free, witness),
             (_arms(light, 2, S.Zero), steady, falls),
         ],
-        shows="a wall that is stable with a free mass and unstable with a spring inside (23)",
-        note="the correction is about single walls. Twice the mass destabilises a wall at $d=1$, "
-        "and more damping can destabilise a wall outside (23). Without delay none of the three "
-        "reduces the area (s4d-all-stabilising-area)",
+        shows="some wall is stable with a free mass and unstable with a spring of (23)",
+        note="the correction concerns single walls. Twice the mass destabilises a wall at "
+        "$d=1$, and outside (23) more damping can destabilise a wall. Without delay, none of "
+        "the three parts reduces the area (s4d-all-stabilising-area)",
     )
 
 

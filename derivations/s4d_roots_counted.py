@@ -1,10 +1,10 @@
 """How can unstable roots be counted at a cost that does not grow with the delay?
 
-The zeros of the characteristic polynomial, or the inequalities of Jury, cost more with every period
-of delay. By the argument principle the number of roots follows from the change of the polynomial's
-argument on half the unit circle. The polynomial is a sum of two terms, one of the plant and one of
-the wall. At each angle the larger term determines the argument of the sum, up to less than a
-quarter turn.
+The zeros of the characteristic polynomial, or the inequalities of Jury, cost more with every
+period of delay. By the argument principle the number of roots follows from the change of the
+polynomial's argument on half the unit circle. The polynomial is a sum of two terms, one of the
+plant and one of the wall. At each angle the argument of the sum differs from that of the larger
+term by less than a quarter turn.
 """
 
 from symhaptic.book.figures.arguments import half_circle
@@ -33,12 +33,15 @@ def derive(page):
             name=f"|{name}(z)|^2",
         )
     page.say(
-        "So $|f|^2-|g|^2$ is a polynomial of degree two in $y$ that does not contain the delay. At "
-        r"most two angles $\theta_i$ in $(0,\pi)$ give both terms the same size, and these angles "
-        r"are the same for every delay. At $z=1$ the wall dominates if $|\alpha|>\gamma$, as "
-        r"$1-a+e=\gamma(n_1+n_0)$."
+        "So $|f|^2-|g|^2$ is a polynomial of degree two in $y$ that does not contain the delay. "
+        r"At most two angles $\theta_i$ in $(0,\pi)$ give the two terms the same size, and these "
+        r"angles are the same for every delay. At $z=1$ the wall dominates if $|\alpha|>\gamma$, "
+        r"as $1-a+e=\gamma(n_1+n_0)$."
     )
-    page.say("We also need the phases. Each factor times a power of $z$ stays in one half plane:")
+    page.say(
+        "We also need the phases of the two terms. Each factor times a power of $z$ stays in "
+        "one half plane:"
+    )
     for name, factor, height in (
         ("A/z", bottom / z, (1 - e) * sin(theta)),
         ("N", top, n_1 * sin(theta)),
@@ -55,29 +58,31 @@ def derive(page):
         )
     page.say(
         r"With these angles, $\Phi(\theta)=\arg N+\arg W-\arg(A/z)-(d+2)\theta$ is the phase of "
-        r"$g/f$, continuous from 0 to $\pi$. Where $f$ dominates, $p_1=f\,(1+g/f)$ and the bracket "
-        r"stays in the right half plane; where $g$ dominates, $p_1=g\,(1+f/g)$. At an angle where "
-        "both have the same size, the phase of the bracket is half that of $g/f$:"
+        r"$g/f$, continuous from 0 to $\pi$. Where $f$ dominates, $p_1=f\,(1+g/f)$ and the "
+        r"bracket stays in the right half plane; where $g$ dominates, $p_1=g\,(1+f/g)$. At an "
+        "angle where $f$ and $g$ have the same size, the phase of the bracket is half that of "
+        "$g/f$:"
     )
     page.step(
         "The sum of two terms of equal size has the mean phase",
         1 + exp(I * phi),
         2 * cos(phi / 2) * exp(I * phi / 2),
-        because=r"this holds for $\varphi=\Phi-2\pi k$ between $-\pi$ and $\pi$; the integer "
-        r"$k=[\Phi/2\pi]$ is the one nearest to $\Phi/2\pi$",
+        because=r"the equality is used for $\varphi=\Phi-2\pi k$ between $-\pi$ and $\pi$; the "
+        r"integer $k=[\Phi/2\pi]$ is the one nearest to $\Phi/2\pi$",
     )
     page.say(
         "Where $g$ begins to dominate, the change of argument of $p_1$ differs from that of $f$ "
-        r"alone by $-\Phi+\varphi=-2\pi k$. Where $g$ ceases to dominate, it differs by $+2\pi k$. "
-        r"On the half circle the argument of $f$ grows by $(d+3)\pi$, since the poles of a damped "
-        r"plant with a spring lie inside, and that of $p_1$ by $\pi$ times the number of roots "
-        "inside. The number of roots outside is therefore a difference of two sums. The first is "
-        "twice the sum of $k$ over the angles where $g$ begins to dominate; the second is twice "
-        "the sum of $k$ over the angles where $g$ ceases to dominate. If $g$ dominates from "
-        r"$\theta=0$ on, this angle counts with $2k=\arg g(1)/\pi$. If $g$ dominates up to "
-        r"$\theta=\pi$, this angle counts with $2k=\arg g(-1)/\pi-(d+3)$. The count takes a square "
-        "root and a few arctangents, for $d=0$ and for $d=10^6$. A plant without damper or spring "
-        r"has the same count as a plant with a small $\delta$ or $\gamma$."
+        r"alone by $-\Phi+\varphi=-2\pi k$. Where $g$ ceases to dominate, it differs by $+2\pi "
+        "k$. The poles of a damped plant with a spring lie inside the unit circle, so that the "
+        r"argument of $f$ grows by $(d+3)\pi$ on the half circle. The argument of $p_1$ grows by "
+        r"$\pi$ times the number of roots inside. The number of roots outside is therefore a "
+        "difference of two sums. The first sum adds $2k$ over the angles where $g$ begins to "
+        "dominate; the second sum adds $2k$ over the angles where $g$ ceases to dominate. If "
+        r"$g$ dominates from $\theta=0$ on, this angle counts with $2k=\arg g(1)/\pi$. If $g$ "
+        r"dominates up to $\theta=\pi$, this angle counts with $2k=\arg g(-1)/\pi-(d+3)$. The "
+        "count takes a square root and a few arctangents, for $d=0$ as well as for $d=10^6$. A "
+        r"plant without damper or spring has the same count as a plant with a small $\delta$ or "
+        r"$\gamma$."
     )
     page.figure(
         "half_circle",
@@ -111,7 +116,7 @@ def derive(page):
     late, whole = m_2 * z**2 + m_1 * z + m_0, m_2 + m_1 + m_0
     form = whole**2 + ((m_2 - m_0) ** 2 - whole * (m_2 + m_0)) * y + m_2 * m_0 * y**2
     page.step(
-        "With a fractional delay the numerator has degree two",
+        "With a fractional delay, the numerator has degree two",
         late * late.subs(z, 1 / z),
         form,
         name="|M(z)|^2",

@@ -1,7 +1,7 @@
 """When is a device without a spring stable with an integer delay?
 
 The argument principle counts roots at up to two angles at which plant and wall have the same size.
-Without a spring one angle is sufficient: a quadratic and a comparison of angles decide.
+Without a spring, one angle is sufficient: a quadratic and a comparison of angles decide.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -24,7 +24,7 @@ def derive(page):
     lead = -((alpha * (n_1 + n_0)) ** 2)
     page.step("At $z=1$ the wall dominates", surplus(S.Zero), lead, name="F(0)")
     page.step(
-        "At $z=-1$ both terms are real",
+        "At $z=-1$ the terms of plant and wall are real",
         surplus(4),
         (2 * (1 + e)) ** 2 - ((n_1 - n_0) * (alpha + 2 * beta)) ** 2,
         name="F(4)",
@@ -39,8 +39,8 @@ def derive(page):
     found = page.lemma(
         "A wall that is as large as the plant at $z=-1$ is larger at all other angles",
         stronger_everywhere(),
-        because=r"$F(y)=(1-\tfrac y4)F(0)+\tfrac y4F(4)-\tfrac12F''y(4-y)$, and if $F''<0$, the "
-        "previous step bounds $F''$",
+        because=r"the quadratic is $F(y)=(1-\tfrac y4)F(0)+\tfrac y4F(4)-\tfrac12F''y(4-y)$, and "
+        "if $F''<0$, the previous step bounds $F''$",
         boxed=True,
     )
     page.state(
@@ -52,15 +52,16 @@ def derive(page):
     point = {alpha: S.One, beta: S.One, n_1: Rational(1, 2), n_0: Rational(1, 2), e: S.One}
     page.settle("free-wall-stronger", found, example=point)
     page.say(
-        "For such a wall $p_1$ has the argument of $g=NW$ on the whole half circle, so that at "
-        "most two of its $d+3$ roots lie inside: the loop is not stable. Any other wall with "
-        r"$\alpha\ne0$ has $F(0)<0<F(4)$, and one angle $\theta_1$ at which plant and wall have "
-        r"the same size. A stable loop has $p_1(1)=\alpha(n_1+n_0)>0$; then the wall at $z=1$ "
-        "contributes nothing, and the number of roots outside is twice the integer next to "
-        r"$-\Phi(\theta_1)/2\pi$. As this number is not negative, the loop is stable if and only "
-        r"if $\alpha>0$, $2(1+e)>|(n_1-n_0)(\alpha+2\beta)|$ and $\Phi(\theta_1)>-\pi$. The "
-        r"argument of $A/z$ is $\pi$ minus an angle that is small for small $\theta_1$, so that "
-        "the last condition compares small angles if the wall has little stiffness:"
+        "For such a wall, $g=NW$ determines the argument of $p_1$ on the whole half circle. At "
+        "most two of the $d+3$ roots then lie inside: the loop is not stable. Any other wall "
+        r"with $\alpha\ne0$ has $F(0)<0<F(4)$, and one angle $\theta_1$ at which plant and wall "
+        r"have the same size. In a stable loop $p_1(1)=\alpha(n_1+n_0)>0$, so that $\arg g(1)=0$ "
+        r"and $\theta=0$ adds nothing to the count of \chapter{s4d_roots_counted}. Only "
+        r"$\theta_1$ counts: the number of roots outside is twice the integer nearest to "
+        r"$-\Phi(\theta_1)/(2\pi)$. This number is not negative, so the loop is stable if and "
+        r"only if $\alpha>0$, $2(1+e)>|(n_1-n_0)(\alpha+2\beta)|$ and $\Phi(\theta_1)>-\pi$. The "
+        r"argument of $A/z$ is $\pi$ minus an angle that is small for small $\theta_1$. If the "
+        "wall has little stiffness, the last condition therefore compares small angles:"
     )
     turned = on_circle(bottom.subs(a, 1 + e) / z)
     page.step(

@@ -12,12 +12,13 @@ from symhaptic.book.lemmas.stability import stable_at, unstable_at
 
 def derive(page):
     page.say(
-        "Let $h=-NW/A$. A root is a point where $z^{d+1}=h(z)$, and in this equation the delay may "
-        r"be any real number (principal sheet). The root moves with the delay by $(d+1)\ln z=\ln "
-        r"h$. With $u+jw=z\,h'/h$ at $z=e^{j\theta}$:"
+        "Let $h=-NW/A$. A root is a point where $z^{d+1}=h(z)$, and in this equation the delay "
+        r"may be any real number (principal sheet). The root moves with the delay by $(d+1)\ln "
+        r"z=\ln h$. Let $u+jw=z\,h'/h$ at $z=e^{j\theta}$; the imaginary part determines the "
+        "direction of the root:"
     )
     page.step(
-        "With growing delay a root on the circle moves outwards if $w$ is positive",
+        "With growing delay, a root on the circle moves outwards if $w$ is positive",
         real_part(-I * theta / (d + 1 - u - I * w)),
         theta * w / ((d + 1 - u) ** 2 + w**2),
         name=r"\frac{\partial\ln|z|}{\partial d}",
@@ -27,15 +28,15 @@ def derive(page):
         real_part(I * (u + I * w)),
         -w,
         name=r"\frac{\partial\ln|h|}{\partial\theta}",
-        because="so with growing delay roots leave the disc at an angle where the wall ceases to "
-        "dominate, and come back at an angle where it begins to dominate",
+        because="so, with growing delay, roots leave the disc at an angle where the wall ceases "
+        "to dominate, and return at an angle where the wall begins to dominate",
     )
     page.say(
         r"The surplus $|A|^2-|NW|^2$ has degree two in $y=4\sin^2\frac\theta2$, so that it rises "
-        r"at one of its zeros at most. So roots leave at one angle $\theta_1$ at most. If there is "
-        "no such angle, a wall that is stable without delay is stable with every delay. (If the "
-        "wall dominates at $z=-1$, the sign of $p_1(-1)$ makes the loop unstable for every other "
-        r"integer delay.) Let $\Phi_0$ be the phase of $NWz/A$:"
+        r"at no more than one of its zeros. So roots leave at no more than one angle $\theta_1$. "
+        "If there is no such angle, a wall that is stable without delay is stable with every "
+        "delay. (If the wall dominates at $z=-1$, the sign of $p_1(-1)$ makes the loop unstable "
+        r"for every other integer delay.) Let $\Phi_0$ be the phase of $NWz/A$:"
     )
     turns, phase = symbols("k Phi_0")
     critical = (phase + (2 * turns + 1) * pi) / theta - 2
@@ -44,11 +45,12 @@ def derive(page):
         (critical + 2) * theta,
         phase + (2 * turns + 1) * pi,
         name=r"(d_k+2)\,\theta_1",
-        because=r"$k$ is an integer, so one pair leaves every $2\pi/\theta_1$ periods",
+        because=r"here $k$ is an integer, so one pair of roots leaves every $2\pi/\theta_1$ "
+        "periods of delay",
     )
     page.say(
-        r"The first $d_k\ge0$ is the delay margin, since no root can come back before one has "
-        "left. For integer delays the next integer is the first unstable delay. A free mass with "
+        r"The first $d_k\ge0$ is the delay margin, since no root can return before one has left. "
+        "For integer delays the next integer is the first unstable delay. A free mass with "
         r"$\alpha=0.01$, $\beta=0.05$ has $\theta_1=0.1077$ and the margin $3.969$:"
     )
     free = {alpha: Rational(1, 100), beta: Rational(1, 20), gamma: S.Zero, delta: S.Zero}
@@ -64,8 +66,8 @@ def derive(page):
     )
     page.say(
         "With a fractional delay the plant has one more coefficient and the surplus has degree "
-        "three. For each fraction the phase gives the integer number of periods, as above; the "
-        "margin is the least over all fractions, as plotted below."
+        "three. For each fraction, the phase gives the integer number of periods in the same "
+        "way; the margin is the least value over all fractions, as plotted below."
     )
     page.figure(
         "delay_margin",

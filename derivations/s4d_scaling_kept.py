@@ -60,8 +60,8 @@ def stiffness(page):
             NOTHING[0]: one_sided(claim, damped, 0, B, STIFF[beta], never),
             NOTHING[1]: one_sided(claim, sprung, 1, B, 2 * LIMIT[beta], none_as_stiff),
         },
-        shows=r"$d=0$, $k=0$: at $\delta=\tfrac1{50}$ the wall $\alpha=0.713$ can be stable, at "
-        r"$\tfrac1{100}$, for the same damper at half the period, it cannot",
+        shows=r"for $d=0$, $k=0$ and $\delta=\tfrac1{50}$ the wall $\alpha=0.713$ can be stable; "
+        r"at $\delta=\tfrac1{100}$, for the same damper at half the period, it cannot",
         note="the factor 4 is exact if $bT/m$ and $kT^2/m$ are constant; with this constant damper "
         "the factor is less than 3.93",
     )
@@ -86,8 +86,8 @@ def bound(page):
             NOTHING[0]: one_sided(claim, damped, 0, K, BRAKED[alpha], never),
             NOTHING[1]: one_sided(claim, sprung, 0, K, HELD[alpha], none_as_damped),
         },
-        shows=r"$d=0$, $k=0$: at $\delta=\tfrac1{50}$ the wall $\beta=2.02$ can be stable, at "
-        r"$\tfrac1{100}$, for the same damper at half the period, it cannot",
+        shows=r"for $d=0$, $k=0$ and $\delta=\tfrac1{50}$ the wall $\beta=2.02$ can be stable; "
+        r"at $\delta=\tfrac1{100}$, for the same damper at half the period, it cannot",
         note="the proportion is exact if $bT/m$ and $kT^2/m$ are constant; for small $b$ the bound "
         r"without delay is $2m/T+\tfrac43b$",
     )
@@ -135,15 +135,15 @@ def _changed(page):
             (r"\alpha_{\max}", value(boundary.largest_undelayed(ARM), {delta: AFTER})),
             (r"1/n_0\big|_{\delta=0.01}", value(1 / ARM.n0, {delta: AFTER})),
         ],
-        because="this is the same damper with half the period. At this period the first wall's "
-        r"$\alpha$ is four times its stiffness, and it is unstable with every $\beta$. The "
-        r"second wall's $\beta$ is twice its damping, and it is unstable with every $\alpha$",
+        because="these parameters belong to the same damper with half the period. So the first "
+        r"wall with four times its stiffness is unstable with every $\beta$, and the second wall "
+        r"with twice its damping is unstable with every $\alpha$",
     )
     page.lemma(
         r"All stable walls are less stiff than this bound for $\gamma=0$, $\delta=\frac1{100}$",
         none_above((S.Zero, AFTER), 0)[1],
-        because="so the stiffness becomes less than 3.93 times as large: four times this bound is "
-        r"less than $3.93\cdot0.713$. Twice the mass with the same damper also gives "
+        because="therefore the stiffness becomes less than 3.93 times as large: four times this "
+        r"bound is less than $3.93\cdot0.713$. Twice the mass with the same damper also gives "
         r"$\delta=\frac1{100}$",
     )
 
@@ -153,7 +153,7 @@ def all_scaled(page):
     page.lemma(
         "Stability does not change if all parameters are scaled with half the period",
         numbers_known(inst(with_the_rate(STIFFER, STRONGER), {y: S(2)})),
-        because="this holds for every delay in periods",
+        because="the statement holds for every delay in periods",
     )
     heavier = inst(with_the_mass(STIFFER, STRONGER), {HEAVY: 2 * m})
     page.lemma(

@@ -23,7 +23,7 @@ def derive(page):
         last.subs(z, 0),
         -beta * n_0,
         name="p_1(0)",
-        because="the rest of the polynomial has the factor $z^{d+1}$, for every integer $d$",
+        because="for every integer $d$, the rest of the polynomial has the factor $z^{d+1}$",
     )
     page.say(
         "The polynomial is monic, so that its constant coefficient is the product of its roots, up "
@@ -39,8 +39,8 @@ def derive(page):
         boxed=True,
     )
     page.say(
-        "For the largest spring and damper of (23), $\\gamma=0.001$ and $\\delta=0.02$, and the "
-        "stiffness $\\alpha=0.05$:"
+        r"Examples are for the largest spring and damper of (23), $\gamma=0.001$ and "
+        r"$\delta=0.02$, and the stiffness $\alpha=0.05$:"
     )
     for delay, low, high in ((0, "1.9", "2.1"), (1, "0.7", "0.9")):
         for text, shown, word in ((low, stable_at, "stable"), (high, unstable_at, "not stable")):

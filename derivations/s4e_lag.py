@@ -1,8 +1,8 @@
 """What does a first-order lag predict for the stability of a wall?
 
-The paper's linear condition comes from continuous time: hold and delay become one first-order lag,
-and the Routh-Hurwitz criterion decides. We repeat this derivation and state every term that the
-paper drops.
+The paper derives its linear condition in continuous time: hold and delay become one first-order
+lag, and the Routh-Hurwitz criterion decides. We repeat this derivation and state every term that
+the paper drops.
 """
 
 from symhaptic.book.lemmas.linear import forbidden, of_the_walls, stable_with_lag
@@ -18,18 +18,18 @@ def derive(page):
         "The loop with the lag has the polynomial",
         Plant().characteristic * (1 + t_e * s) + lag.WALL,
         a_3 * s**3 + a_2 * s**2 + a_1 * s + a_0,
-        because="the polynomial is the denominator of the device times that of the lag, plus the "
-        "wall",
+        because="the polynomial is the product of the denominators of the device and of the "
+        "lag, plus the wall",
     )
     page.lemma(
         "Two inequalities decide the stability of the loop with the lag",
         stable_with_lag(),
-        because="a cubic has three Hurwitz minors: $a_2=m+bt_e$ is positive, the second is "
-        "$a_2a_1-a_3a_0$, and the third is $a_0=k+K$ times the second",
+        because="a cubic has three Hurwitz minors: the first, $a_2=m+bt_e$, is positive, the "
+        "second is $a_2a_1-a_3a_0$, and the third is $a_0=k+K$ times the second",
         boxed=True,
     )
     whole = page.step(
-        "Hurwitz' determinant of this loop is (24) plus one term",
+        "Hurwitz' determinant of this loop is the margin of (24) plus one term",
         lag.margin(Plant()),
         b + B - K * t_e + b * t_e / m * (b + B + k * t_e),
         name=r"\tfrac1m(a_2a_1-a_3a_0)",
@@ -45,16 +45,16 @@ def derive(page):
         because="the limit consists of the terms of (24)",
     )
     linear = page.step(
-        "By (24) the stiffness is less than damping over delay",
+        "By (24), the stiffness is less than the damping divided by the delay",
         K + kept / t_e,
         (b + B) / t_e,
         name=r"K_{\text{lin}}",
         paper="24",
     )
     page.say(
-        r"So (24) drops the term $\frac{bt_e}m(b+B+kt_e)$. At the border of (24) the ratio of this "
-        r"term to the other terms is $\frac{bt_e}m(1+\frac kK)$. For a given device the ratio is "
-        "of order $T$ and depends on the stiffness $k$; it is zero only for $b=0$."
+        r"So (24) drops the term $\frac{bt_e}m(b+B+kt_e)$. At equality in (24), the ratio of "
+        r"this term to the other terms is $\frac{bt_e}m(1+\frac kK)$. For a given device the "
+        "ratio is of order $T$ and depends on the stiffness $k$; it is zero only for $b=0$."
     )
     settle(page, linear.subs(t_e, lag.DELAY) > K)
 
@@ -70,9 +70,11 @@ def settle(page, derived):
         derived,
         example=easy,
         unless={Eq(b, 0): (damped, forbidden(same, damped))},
-        shows=r"$m=b=T=1$, $t_d=\tfrac12$, $k=B=0$: Routh allows $K<2$, (24) only $K<1$",
-        note=r"(24) is Routh's condition for the lag without the term $\frac{bt_e}m(b+B+kt_e)$. "
-        "For the sampled loop (24) is neither necessary nor sufficient",
+        shows=r"for $m=b=T=1$, $t_d=\tfrac12$ and $k=B=0$, Routh's condition allows $K<2$, and "
+        "(24) only $K<1$",
+        note="condition (24) is Routh's condition for the lag without the term "
+        r"$\frac{bt_e}m(b+B+kt_e)$. For the sampled loop, (24) is neither necessary nor "
+        "sufficient",
     )
 
 
@@ -100,6 +102,6 @@ def neglected(page):
         S.Zero,
         -T / 2,
         name=r"\frac1{s^2}(D-s)",
-        because="multiplied by $K$ and $B$, both errors act like masses. On the border of (24) $K$ "
-        "is of order $1/T$, and these masses are of order $T$",
+        because="multiplied by $K$ and $B$, the two errors act like masses. At equality in "
+        "(24), $K$ is of order $1/T$, and these masses are of order $T$",
     )

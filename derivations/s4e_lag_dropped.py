@@ -1,7 +1,7 @@
-"""On which side does the linear condition err?
+"""Is the linear condition conservative?
 
-Routh's condition for the loop with a lag has one term more than the paper's (24). We ask for the
-sign of this term, in SI units and in the parameters of Table I, and for its dependence on the arm's
+Routh's condition for the loop with a lag has one term more than the paper's (24). We derive the
+sign of this term, in SI units and in the parameters of Table I, and its dependence on the arm's
 stiffness.
 """
 
@@ -42,8 +42,8 @@ def never(page):
     page.lemma(
         "The loop with the lag is stable if (24) and $K>-k$ hold",
         safe(),
-        because="for the lag (24) is conservative for all $b$ and $k$: the dropped term is not "
-        "negative, and the other conditions also hold",
+        because="for the loop with the lag, (24) is conservative for all $b$ and $k$: the "
+        "dropped term is not negative, and the other conditions also hold",
     )
     claim = lagging()
     page.state(
@@ -76,10 +76,11 @@ def stiffness(page, whole):
         spring_is_free(),
         example=easy,
         unless={Eq(b, 0): (sprung, more_with_a_spring(same, sprung))},
-        shows=r"$m=b=t_e=k=1$, $B=0$: Routh allows $K<3$, and $K<2$ without the spring",
-        note="the statement holds for Routh's condition for the lag. (24) does not contain $k$, "
-        "because it drops the term with $k$. The lower limit $K>-k$ is exact for the lag "
-        "($a_0=k+K$) and necessary for the sampled loop (s4d-left-bound)",
+        shows="for $m=b=t_e=k=1$ and $B=0$, Routh's condition allows $K<3$, and $K<2$ without "
+        "the spring",
+        note="the statement holds for Routh's condition for the lag. Condition (24) does not "
+        "contain $k$, because it drops the term with $k$. The lower limit $K>-k$ is exact for "
+        "the lag ($a_0=k+K$) and necessary for the sampled loop (s4d-left-bound)",
     )
 
 
@@ -89,14 +90,14 @@ def plane(page, kept, whole):
     scaled |= {t_d: d * T}
     small, large = ((f.subs(t_e, lag.DELAY) * T / m).subs(scaled) for f in (kept, whole))
     line = page.step(
-        "In the parameters of Table I (24) is linear",
+        "In the parameters of Table I, (24) is linear",
         small,
         beta + delta - alpha * (HALF + d),
         name=r"\tfrac Tm(b+B-Kt_e)\big|_{\text{Table I}}",
         paper="25",
     )
     page.step(
-        "In the parameters of Table I Routh's condition has one more term",
+        "In the parameters of Table I, Routh's condition has one more term",
         large,
         line + delta * (d + HALF) * (beta + delta + gamma * (d + HALF)),
         name=r"\tfrac T{m^2}(a_2a_1-a_3a_0)",
@@ -115,10 +116,10 @@ def plane(page, kept, whole):
         line > 0,
         example=easy,
         unless={Eq(delta, 0): (damped, forbidden(same, damped))},
-        shows=r"$\delta=1$, $d=\tfrac12$, $\beta=\gamma=0$: Routh allows $\alpha<2$, (25) only "
-        r"$\alpha<1$",
-        note="(25) is Routh's condition for the lag without one term. By Table I it is equivalent "
-        "to (24)",
+        shows=r"for $\delta=1$, $d=\tfrac12$ and $\beta=\gamma=0$, Routh's condition allows "
+        r"$\alpha<2$, and (25) only $\alpha<1$",
+        note="condition (25) is Routh's condition for the lag without one term. By Table I it "
+        "is equivalent to (24)",
     )
 
 

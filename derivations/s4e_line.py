@@ -16,11 +16,11 @@ def derive(page):
     stiffness, damping = boundary.solved(on_circle(-(z**d) * linear.near()))
     lies = linear.surplus(stiffness, damping)
     page.say(
-        r"On the line $\Delta=\beta+\delta-(d+\frac12)\alpha$ vanishes. The boundary starts on "
-        r"$\alpha=-\gamma$ for every real $d$, with $z^d=e^{jd\theta}$:"
+        r"On the line, the surplus $\Delta=\beta+\delta-(d+\frac12)\alpha$ vanishes. The boundary "
+        r"starts on $\alpha=-\gamma$ for every real $d$, with $z^d=e^{jd\theta}$:"
     )
     page.limit(
-        r"At the start of the boundary $\Delta$ is minus the gap",
+        r"At the start of the boundary, the surplus $\Delta$ is minus the gap",
         lies,
         theta,
         S.Zero,
@@ -39,8 +39,9 @@ def derive(page):
         -short / 12,
         name=r"\frac{\Delta+g}{\theta^2}",
         because=r"the difference is negative, as $\nu\le\frac12$, $s_2>0$ and "
-        r"$s_1\ge\delta+\frac12\gamma$. It is zero only for $\gamma=\delta=0$; every other "
-        "boundary up to (30) has a smaller slope than the line",
+        r"$s_1\ge\delta+\frac12\gamma$. It is zero only for $\gamma=\delta=0$; the "
+        "boundary of every other arm that satisfies (30) has a smaller slope than the "
+        "line",
     )
     page.say(
         "So (25) is the tangent of the boundary of the free mass only. But for short periods all "
@@ -55,7 +56,7 @@ def derive(page):
         S.Zero,
         theta**2 * s_2,
         name=r"\alpha(h)/h^2",
-        because=r"$s_2\to1$, so that $\alpha\approx\theta^2$",
+        because=r"for short periods $s_2\to1$, so that $\alpha\approx\theta^2$",
     ).subs(s_2, 1)
     flat, rise = 6 * (d + 1) ** 2 + 1, (d + 1) * (2 * d + 1) * (2 * d + 3)
     apart = theta**2 * (rise * theta**2 - flat * delta) / 12
@@ -83,8 +84,8 @@ def derive(page):
         crossing / straight,
         1 + 1 / (6 * (d + 1) ** 2),
         name=r"\alpha_\times\Big/\frac{6(d+1)\delta}{(2d+1)(2d+3)}",
-        because=r"at the crossing the stiffness is 17\,\% larger than at that end for $d=0$, and "
-        r"4\,\% larger for $d=1$",
+        because=r"at the crossing, the stiffness is 17\,\% larger than at the end of (8) for "
+        r"$d=0$, and 4\,\% larger for $d=1$",
     )
     law = (d + 1) * (2 * d + 3) / 6 * (theta**2 - crossing)
     page.step(
@@ -92,7 +93,7 @@ def derive(page):
         apart / ((d + HALF) * across),
         law,
         name=r"\lim_{h\to0}\frac{1}{h^2}\,\frac{\alpha_{\text{lin}}-\alpha}{\alpha}",
-        because=r"$\theta^2$ stands for $\alpha/h^2$. The error is 2\,\% at a distance of "
+        because=r"Here $\theta^2$ stands for $\alpha/h^2$. The error is 2\,\% at a distance of "
         r"$\frac{0.12}{(d+1)(2d+3)}$ from the crossing on either side; both points have "
         r"$\alpha\ge0$ if $\delta\ge\frac{0.12(2d+1)}{6(d+1)^2+1}$",
         boxed=True,
@@ -127,8 +128,8 @@ def periods(page):
         S.Zero,
         S.One,
         name="n_1(h)+n_0(h)",
-        because=r"so $s_2\to1$, as $s_1\to0$. The gap is $\frac1{720}\delta\gamma^2$ to lowest "
-        r"order (\chapter{s4d_explicit_boundary_ends})",
+        because=r"therefore $s_2\to1$, as $s_1\to0$. The gap is $\frac1{720}\delta\gamma^2$ to "
+        r"lowest order (\chapter{s4d_explicit_boundary_ends})",
     )
     return {
         theta: h * theta,

@@ -87,5 +87,5 @@ def free_mass(page):
         lag.line(damping, 0) / stiffness - 1,
         sin((d + HALF) * theta) / ((2 * d + 1) * sin(theta / 2) * cos((d + 1) * theta)) - 1,
         name=r"\varepsilon",
-        because="this holds for every real $d$",
+        because="the formula holds for every real $d$",
     )

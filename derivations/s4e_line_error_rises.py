@@ -1,7 +1,7 @@
 """Does the error of the linear condition rise along the boundary?
 
-The error is negative at the start of the boundary, or has no lower bound there. It is zero where
-the boundary crosses the line. We show that the error rises and is below 2 per cent as long as the
+At the start of the boundary the error is negative or unbounded below. It is zero where the
+boundary crosses the line. We show that the error rises and is below 2 per cent as long as the
 virtual damping is not positive.
 """
 
@@ -26,24 +26,24 @@ def derive(page):
         (lag.line(beta, delta) - alpha) / far,
         high / ((d + HALF) * far) - 1,
         name=r"\varepsilon",
-        because="the error rises with $b/A$",
+        because="therefore the error rises with $b/A$",
     )
     damped = 1 - TOTAL * s_1 + gamma * n_0
     page.step(
-        "Without delay Jury's largest minor falls with the stiffness",
+        "Without delay, Jury's largest minor falls with the stiffness",
         minor(0).subs(a, AT_REST).subs(e, damped),
         TOTAL * (1 - n_0 * beta) * (beta + s_1) - n_0 * (1 + n_1 * beta) * far,
         name=r"\Delta_2",
-        because="since the minor falls with the stiffness, it is zero on the boundary",
+        because="because the minor falls with the stiffness, it is zero on the boundary",
     )
     page.say(
         "At the start of the line the minor is not negative, since the gap $g$ is not negative. "
         r"The minor falls with $A$ and rises with $b$, for $\beta\le0$, $b\ge-0.03$ and "
         r"stiffnesses up to $\alpha=0.72$ without delay and $\alpha=0.16$ with one period of "
         "delay. So of two walls on the boundary the one with more damping is stiffer. On a ray "
-        "with $b>0$ the minor is concave, so that it is positive between the start and a wall of "
-        "the boundary. Therefore the ray meets the boundary once. Ball arithmetic proves the "
-        "concavity with one period of delay. Without delay a formula shows it:"
+        "with $b>0$ the minor is concave, so that it is positive between the start and a wall "
+        "of the boundary. Therefore the ray meets the boundary once. Ball arithmetic proves the "
+        "concavity with one period of delay. Without delay, a formula shows the concavity:"
     )
     page.step(
         "Without delay the minor is concave on a ray",

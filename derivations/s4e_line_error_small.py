@@ -58,9 +58,10 @@ def derive(page):
         small_errors(),
         example=dict.fromkeys((alpha, beta, gamma, delta), S.Zero),
         enclosed=True,
-        note=r"this is proved for $d=0$ and $d=1$, and for $\beta\le0.1$. Next to $\alpha=-\gamma$ "
-        r"the error is larger (\texttt{linear-error-corner}). The paper's devices have stiffnesses "
-        r"up to $\alpha=0.03$; for $d=1$ the proved range ends at a smaller stiffness",
+        note=r"the statement is proved for $d=0$ and $d=1$, and for $\beta\le0.1$. Next to "
+        r"$\alpha=-\gamma$ the error is larger (\texttt{linear-error-corner}). The paper's "
+        r"devices have stiffnesses up to $\alpha=0.03$; for $d=1$ the proved range ends at a "
+        "smaller stiffness",
     )
 
 

@@ -27,8 +27,9 @@ def derive(page):
         -GAP / (d + HALF),
         name=r"(\alpha_{\text{lin}}-\alpha)",
         because=r"the gap is $g=s_1-\delta-\frac12\gamma$, and $\alpha+\gamma\to0$. For $g>0$, "
-        r"that is for every arm with spring and damping up to (30), $\varepsilon\to-\infty$. As "
-        r"$g\approx\frac1{720}\delta\gamma^2$, the error is large only on an interval of that size",
+        "that is, for every arm with a spring and damping that satisfies (30), "
+        r"$\varepsilon\to-\infty$. As $g\approx\frac1{720}\delta\gamma^2$, the error is "
+        "large only on an interval of that size",
     )
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
     wide = s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2
@@ -62,7 +63,7 @@ def derive(page):
         linear.numbers(device)[nu],
     )
     page.step(
-        "Without a spring $\\nu$ is a cotangent, $s_1=\\delta$ and $s_2=1$",
+        r"Without a spring, $\nu$ is a cotangent, $s_1=\delta$ and $s_2=1$",
         1 - 2 * nu,
         1 / tanh(delta / 2) - 2 / delta,
     )
@@ -104,8 +105,9 @@ def unbounded_there(page):
     no_error = page.lemma(
         "With spring and damper the reciprocal of the error tends to zero",
         no_bound(),
-        because=r"$\alpha+\gamma$ is of order $\theta^2$ with a positive factor, and "
-        r"$\alpha_{\text{lin}}-\alpha$ tends to a multiple of the gap. This limit is not zero",
+        because=r"the denominator $\alpha+\gamma$ is of order $\theta^2$ with a positive factor, "
+        r"and the numerator $\alpha_{\text{lin}}-\alpha$ tends to a multiple of the gap. "
+        "This limit is not zero",
     )
     page.state(
         "linear-error-start",
@@ -117,16 +119,16 @@ def unbounded_there(page):
         "linear-error-start",
         no_error,
         example={gamma: S.One, delta: S.One, d: S.Zero},
-        note="so the error exceeds every bound; it is bounded for $\\gamma=0$ or $\\delta=0$",
+        note=r"the error is unbounded, except for $\gamma=0$ or $\delta=0$",
     )
 
 
 def beyond_two_percent(page):
     """Beside spring and damper, for every size of both inside (23)."""
     page.say(
-        "So the error is large near the start. Inside (23) take the wall whose distance from the "
-        r"start is 25 times the gap. For this wall the gap exceeds $2\,\%$ of $\alpha+\gamma$, and "
-        r"$\alpha$ is so small that $\beta<0$."
+        "So the error is large near the start. For an arm in the range (23), take the wall whose "
+        r"distance from the start is 25 times the gap. For this wall the gap exceeds $2\,\%$ of "
+        r"$\alpha+\gamma$, and $\alpha$ is so small that $\beta<0$."
     )
     page.state(
         "linear-error-corner",

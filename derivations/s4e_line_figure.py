@@ -20,21 +20,22 @@ def derive(page):
     page.say(
         r"The error has the value $\varepsilon$ where "
         r"$\Delta-\varepsilon\,(d+\frac12)(\alpha+\gamma)$ vanishes. Multiplied by $|M|^2$ this "
-        "expression is a polynomial in $y$ of degree $d+2$. Its coefficients depend on the arm's "
-        r"numbers $\nu$, $s_1$, $s_2$. Flint encloses each of its roots in a ball, and the roots "
-        r"of $\alpha+\gamma$ in the same way. The first root of $\alpha+\gamma$ is the end of the "
-        r"arc. The tables list every root on the arc with its angle $\theta=2\arcsin\frac{\sqrt "
-        "y}2$. So no other point on the ten boundaries has one of these errors."
+        "expression is a polynomial in $y$ of degree $d+2$. Its coefficients depend on the "
+        r"arm's numbers $\nu$, $s_1$, $s_2$. Flint encloses each of its roots in a ball, and the "
+        r"roots of $\alpha+\gamma$ in the same way. The first root of $\alpha+\gamma$ is the end "
+        "of the arc. The tables list every root on the arc with its angle "
+        r"$\theta=2\arcsin\frac{\sqrt y}2$. So the ten boundaries have these errors at no other "
+        "point."
     )
     for delay in DELAYS:
         page.same("a root at z", *wall(delay))
     undamped = {delta: 0, s_1: gamma / 2, nu: S.Half, linear.CHORD: 0}
     page.same("no gap", *(linear.arc(n).above.subs(undamped) for n in DELAYS), S.Zero)
     page.say(
-        "Without damping there is no gap, we divide by the factor $y$, and the boundary crosses "
-        "the line at the origin. With damping the error is unbounded towards the start; the marks "
-        r"of $-2\,\%$ and $-5\,\%$ with $\alpha<0$ lie so close to the corner at $\alpha=-0.001$ "
-        "that the figure cannot show them."
+        "Without damping there is no gap. We then divide by the factor $y$, and the boundary "
+        "crosses the line at the origin. With damping the error is unbounded towards the start; "
+        r"the marks of $-2\,\%$ and $-5\,\%$ with $\alpha<0$ lie so close to the corner at "
+        r"$\alpha=-0.001$ that the figure cannot show them."
     )
     for delay in DELAYS:
         rows = [
@@ -60,15 +61,15 @@ def derive(page):
         for damping in DAMPINGS:
             counted(page, delay, damping)
     page.say(
-        "The theorem states less than the tables. At an angle near that of each mark the wall of "
-        "the boundary has the error of the mark, up to a hundredth of a percent. The walls of the "
-        r"curves have a zero at $e^{j\theta}$ and are not stable, and stable walls lie right of "
-        r"$\alpha=-\gamma$."
+        "The theorem is weaker than the tables. At an angle near that of each mark the wall of "
+        "the boundary has the error of the mark, up to a hundredth of a percent. The walls of "
+        r"the curves have a zero at $e^{j\theta}$ and are not stable, and stable walls lie right "
+        r"of $\alpha=-\gamma$."
     )
     page.settle(
         "fig10",
         drawn(),
-        note=r"for all $\delta>0$ errors of $-2$ and $-5\,\%$ also occur next to the corner",
+        note=r"for all $\delta>0$, errors of $-2$ and $-5\,\%$ also occur next to the corner",
     )
 
 

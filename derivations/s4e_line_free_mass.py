@@ -28,7 +28,8 @@ def derive(page):
     page.lemma(
         "A stable wall of a free mass satisfies three inequalities of Hurwitz",
         conj(*minors()),
-        because="these are the first of Hurwitz' conditions, from the lowest power of $s$ on",
+        because="the inequalities are the first of Hurwitz' conditions, beginning with the "
+        "lowest power of $s$",
     )
     slack = 2 * beta - d * alpha
     page.step(
@@ -37,7 +38,7 @@ def derive(page):
         24 * (beta - alpha * (d + HALF))
         - 3 * (d + 1) * (slack**2 + (d + 1) * alpha * slack + d * (d + 2) * alpha**2 / 3),
         name=r"3\,(c_1c_2-c_0c_3)",
-        because="the other two inequalities give $\\alpha>0$ and $2\\beta>d\\alpha$",
+        because=r"the first and the second inequality give $\alpha>0$ and $2\beta>d\alpha$",
     )
     page.lemma("Every stable wall of a free mass satisfies (25)", above_the_line(), boxed=True)
     page.say(

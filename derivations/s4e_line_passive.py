@@ -25,44 +25,46 @@ def derive(page):
         S.Zero,
         low,
         name="F",
-        because="the limit is positive in (9), and zero on the straight part of the boundary",
+        because="(9) requires this limit to be positive; on the straight part of the boundary "
+        "the limit is zero",
     )
     page.define("The delay is $d$ periods", t_d, d * T)
     page.define("The hold adds half a period to the delay", t_e, lag.DELAY)
     page.step(
-        "With $t_d=dT$ the margin of (24) is that of low frequencies",
+        "With $t_d=dT$ the margin of (24) is that of (9) at low frequencies",
         b + B - K * t_e,
         low,
-        because="both margins depend on the effective delay $t_e$ only",
+        because="the two margins depend on the effective delay $t_e$ only",
     )
     both = taken_apart(page.claim("s4e-same-as-passive"))[2]
     page.settle(
         "s4e-same-as-passive",
         same_condition(*both.of),
         example={K: S.One, B: S.One, b: S.One, T: S.One, d: S.One, t_d: S.One},
-        note="the two formulas agree for every real $d$. By (3) $b=b_D$ in (9). (9) bounds the "
-        "passive walls only for integer $d$ and in its range of $B$",
+        note="the two formulas agree for every real $d$. By (3), $b$ is $b_D$ in (9). The "
+        "passive walls are bounded by (9) only for integer $d$ and in its range of $B$",
     )
     page.say(
-        "In (24) the damping is $b_D+b_H$ by (2). In (9) it is $b_D$ by (3), because the arm is "
-        "arbitrary for passivity, so that its damping does not count. A wall between the two "
-        "bounds satisfies (24) and is not passive:"
+        "By (2), the damping in (24) is $b_D+b_H$. By (3), the damping in (9) is $b_D$: for "
+        "passivity the arm is arbitrary, so that its damping does not count. A wall between the "
+        "two bounds satisfies (24) and is not passive:"
     )
     page.step(
-        "With an arm (24) admits more walls than (9)",
+        "With an arm, (24) admits more walls than (9)",
         (b_D + b_H + B) / (T * (d + HALF)) - (b_D + B) / (T * (d + HALF)),
         b_H / (T * (d + HALF)),
         name="K_{(24)}-K_{(9)}",
     )
     scaled = {K: alpha * m / T**2, B: beta * m / T, b: delta * m / T}
     page.step(
-        "In the parameters of Table I the margin of low frequencies is the surplus over (25)",
+        "In the parameters of Table I, the margin at low frequencies is the surplus over the "
+        "line of (25)",
         (low * T / m).subs(scaled),
         linear.surplus(),
         name=r"\tfrac TmF|_{\theta\to0}",
-        because=r"here $\delta=b_DT/m$. By \chapter{s3c_linear_part_condition} the low frequencies "
-        r"are the strictest for integer $d$, $\alpha\ge0$ and $-\delta\le\beta\le\frac "
-        r"d{2d+3}\delta$",
+        because=r"here $\delta=b_DT/m$. By \chapter{s3c_linear_part_condition}, the condition is "
+        r"strictest at low frequencies for integer $d$, $\alpha\ge0$ and "
+        r"$-\delta\le\beta\le\frac d{2d+3}\delta$",
     )
     in_its_range(page)
     page.settle_external(
@@ -102,11 +104,11 @@ def in_its_range(page):
             )
             for (point, motion), but in zip(cases[::-1], extra[::-1], strict=True)
         ],
-        shows="an undamped device in an arm with $b_H=1$: $K=T=1$, $B=d=0$ satisfies (24), and "
-        "delivers energy",
-        note="this also holds with equality in (25). Passive walls are stable with every spring, "
-        r"so here (25) is safe for every $\gamma\ge0$. For fractional $d$ no wall on the border is "
-        "passive",
+        shows="for an undamped device in an arm with $b_H=1$, the wall $K=T=1$, $B=d=0$ "
+        "satisfies (24) and delivers energy",
+        note="the statement also holds with equality in (25). Passive walls are stable with "
+        r"every spring, so here (25) is safe for every $\gamma\ge0$. For fractional $d$ no wall "
+        "on the border is passive",
     )
 
 

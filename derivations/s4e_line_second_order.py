@@ -33,12 +33,14 @@ def derive(page):
         "delay the products contain other small numbers",
     )
     page.lemma(
-        "$n_1$ exceeds $n_0$ by at most $\\frac16\\delta$", nearly_even(), because="this bounds $w$"
+        r"The coefficient $n_1$ exceeds $n_0$ by at most $\frac16\delta$",
+        nearly_even(),
+        because="this step bounds $w$",
     )
     page.lemma(
         "The gap $G$ is at most $\\frac1{32}\\gamma^2\\delta$",
         narrow(),
-        because="this bounds $G$ for all arms up to (30)",
+        because="this lemma bounds $G$ for all arms that satisfy (30)",
     )
     page.say(
         "Neither $w$ nor $G$ is negative. The minor rises with the surplus "
@@ -78,6 +80,6 @@ def order_of_period(page):
         "linear-short-periods",
         all_tend(),
         example=easy,
-        note="both sides of (24) are of order 1 on the boundary, so that the relative error is of "
-        "order $T$",
+        note="the two sides of (24) are of order 1 on the boundary, so that the relative error "
+        "is of order $T$",
     )

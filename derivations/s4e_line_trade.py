@@ -1,4 +1,4 @@
-"""Is virtual damping as good as physical damping?
+"""Is virtual damping equivalent to physical damping?
 
 The linear condition (24) contains only the sum of the two dampings. The paper concludes that
 damping in discrete time dissipates like damping in continuous time where this condition holds. We
@@ -35,8 +35,8 @@ def derive(page):
         S.Zero,
         apart,
         name=r"\Delta/h^4",
-        because=r"$\theta^2$ stands for $\alpha$, and $\Delta$ is the surplus over the line. The "
-        r"parabola is $\beta=(d+\frac12)\alpha-\delta+\Delta$",
+        because=r"here $\theta^2$ stands for $\alpha$, and $\Delta$ is the surplus over the "
+        r"line. The parabola is $\beta=(d+\frac12)\alpha-\delta+\Delta$",
     )
     page.step(
         "A unit of physical damping replaces more than one unit of virtual damping",
@@ -48,10 +48,10 @@ def derive(page):
         r"0.6\,\% for $d=0$ and by 2\,\% for $d=1$",
     )
     page.say(
-        "The difference matters even for walls at which the linear condition is accurate to a few "
-        r"percent. Take $d=1$, $\gamma=0.001$ and the wall $\alpha=0.01$ with "
-        r"$\beta+\delta=0.015$, on the line of (25). With physical damping this wall is stable, "
-        "and with virtual damping alone it is not:"
+        "The difference between the dampings matters even for walls at which the linear "
+        r"condition is accurate to a few percent. Take $d=1$, $\gamma=0.001$ and the wall "
+        r"$\alpha=0.01$ with $\beta+\delta=0.015$, on the line of (25). With physical damping "
+        "this wall is stable, and with virtual damping alone it is not:"
     )
     wall = {alpha: Rational(1, 100), gamma: Rational(1, 1000), d: S.One}
     physical = {**wall, beta: -Rational(1, 200), delta: Rational(1, 50)}
@@ -61,7 +61,7 @@ def derive(page):
         stable_at(physical),
     )
     page.lemma(
-        "With virtual damping in its place, $\\delta=0$ and $\\beta=0.015$, the loop is not stable",
+        r"With virtual damping alone, $\delta=0$ and $\beta=0.015$, the loop is not stable",
         unstable_at(virtual),
     )
     settle(page, physical, virtual)
@@ -71,7 +71,7 @@ def settle(page, physical, virtual):
     """One damping may stand for the other where (25) decides for both."""
     page.say(
         r"So the two dampings are equivalent in the limit $\alpha\to0$. For larger $\alpha$ they "
-        "are equivalent only if (25) decides correctly for both walls, since (25) contains only "
+        "are equivalent only if (25) is correct with either damping, since (25) contains only "
         "the sum of the dampings."
     )
     claim = page.claim("s6-linear-dissipation")
@@ -87,8 +87,8 @@ def settle(page, physical, virtual):
             but: (at, *(at_point(e, at) for e in (same, *extra)))
             for but, at in zip(extra[::-1], (more_virtual, less_virtual), strict=True)
         },
-        shows=r"$d=1$, $\gamma=0.001$, $\alpha=0.01$: $\beta+\delta=0.015$ is stable with "
-        r"$\delta=0.02$ and unstable with $\delta=0$",
+        shows=r"for $d=1$, $\gamma=0.001$ and $\alpha=0.01$, the sum $\beta+\delta=0.015$ is "
+        r"stable with $\delta=0.02$ and unstable with $\delta=0$",
         note=r"the statement holds in the limit of small $\alpha$. To lowest order in $\alpha$ one "
         r"unit of physical damping replaces $1+\frac1{12}(6(d+1)^2+1)\,\alpha$ units of virtual "
         "damping",

@@ -1,8 +1,8 @@
-r"""From which damping on does the error exceed 2 per cent for negative $\beta$?
+r"""Above which damping does the error exceed 2 per cent for negative $\beta$?
 
-From its Fig. 10 the paper reads that the error exceeds 2 per cent for $\delta>0.015$. Near the
-start of the boundary walls with a larger error exist for every damping, since the error is
-unbounded there. This chapter finds the damping from which on walls with $\alpha\ge0$ have such an
+The paper concludes from its Fig. 10 that the error exceeds 2 per cent for $\delta>0.015$. Near the
+start of the boundary, walls with a larger error exist for every damping, since the error is
+unbounded there. This chapter finds the damping above which walls with $\alpha\ge0$ have such an
 error.
 """
 
@@ -21,7 +21,7 @@ HALF, LEVEL = Rational(1, 2), Rational(2, 100)
 
 def derive(page):
     page.say(
-        r"While $\beta\le0$ the error rises along the boundary, and is less than $2\,\%$ "
+        r"As long as $\beta\le0$, the error rises along the boundary and is less than $2\,\%$ "
         r"(\chapter{s4e_line_error_rises}). So some wall with $\alpha\ge0$ has an error below "
         r"$-2\,\%$ if and only if the boundary's wall with $\alpha=0$ has one. We compute the "
         r"damping of a wall with $\alpha=0$ and an error of $-2\,\%$:"
@@ -35,16 +35,16 @@ def derive(page):
     )
     page.say(
         r"In the coordinates $A$, $b$ of \chapter{s4e_line_error_rises} this wall lies on the ray "
-        r"$b=0.98\,(d+\frac12)A$, at $A=\gamma$. On a ray Jury's minor is concave. At the start of "
-        "the ray the minor is not negative, and hardly larger than the gap. If the minor is "
+        r"$b=0.98\,(d+\frac12)A$, at $A=\gamma$. On a ray Jury's minor is concave. At the start "
+        "of the ray the minor is not negative, and hardly larger than the gap. If the minor is "
         r"negative at $A=\gamma$, it is negative for all stiffer walls of the ray, and the error "
-        "of the boundary is smaller. If the minor is positive, a wall of the boundary with "
-        r"$\alpha$ just above zero has a larger error."
+        "of the boundary is smaller than on the ray. If the minor is positive, a wall of the "
+        r"boundary with $\alpha$ just above zero has a larger error."
     )
     page.lemma(
         "The gap $G$ is at most $\\frac1{32}\\gamma^2\\delta$",
         narrow(),
-        because=r"$G=g\,(n_1+n_0)$, and the bound holds for all arms up to (30)",
+        because=r"here $G=g\,(n_1+n_0)$, and the bound holds for all arms that satisfy (30)",
     )
     found = [
         (rf"\delta\big|_{{d={delay},\ \gamma={name}}}", edge(spring, delay))
@@ -90,10 +90,10 @@ def papers(page):
         "s4e-two-percent",
         every,
         example={delta: DAMPED},
-        note="the damping 0.015 is not a threshold. Inside (23) walls with such an error exist for "
-        r"every $\gamma\delta>0$, next to the corner at $\alpha=-\gamma$ (linear-error-corner). "
-        r"With $\alpha\ge0$ they exist for $\delta\ge0.01481$ if $d=1$ and for $\delta\ge0.01744$ "
-        "if $d=0$ (linear-two-percent)",
+        note="the damping 0.015 is not a threshold. For every arm of (23) with "
+        r"$\gamma\delta>0$, walls with such an error exist next to the corner at "
+        r"$\alpha=-\gamma$ (linear-error-corner). With $\alpha\ge0$ they exist for "
+        r"$\delta\ge0.01481$ if $d=1$ and for $\delta\ge0.01744$ if $d=0$ (linear-two-percent)",
     )
 
 

@@ -1,7 +1,7 @@
 """On which side of the exact boundary does the line of the linear condition lie?
 
 The paper says that the walls on the line above its crossing with the boundary are unstable. We ask
-whether there is one crossing only, for every spring and damping of the ranges (23).
+whether there is only one crossing, for every spring and damping of the ranges (23).
 """
 
 from symhaptic.book.lemmas.line_crossing import one_crossing, room
@@ -14,9 +14,9 @@ def derive(page):
     page.say(
         r"A wall is stable if and only if Jury's inequalities hold (\chapter{s4d_jury_counted}). "
         r"On the line $\beta=(d+\frac12)\alpha-\delta$ each of them is a polynomial in $\alpha$. "
-        "The last one, which contains the largest minor, fails first. Let "
+        "The last inequality, which contains the largest minor, fails first. Let "
         r"$g=s_1-\delta-\frac\gamma2\ge0$ be the gap between the start of the boundary and the "
-        "line. Without delay this minor is a difference of two products:"
+        "line. Without delay, this minor is a difference of two products:"
     )
     total = n_1 + n_0
     *_, minor = jury.criterion(jury.coefficients(0)).expressions
@@ -56,7 +56,7 @@ def derive(page):
     page.lemma(
         "If a wall on the line is stable, every less stiff wall on the line is stable",
         theorem,
-        because="this holds for $d=0$ and $d=1$ on all of (23)",
+        because="the statement holds for $d=0$ and $d=1$ on all of (23)",
         boxed=True,
     )
     witnesses(page)
@@ -64,8 +64,8 @@ def derive(page):
         "s4e-unstable-side",
         theorem,
         example={gamma: S.Zero, delta: S.Zero, x: S.One, alpha: S(2)},
-        note="this holds for $d=0$, $d=1$ and all of (23). Without damping the crossing is the "
-        r"origin, and all walls of the line with $\alpha>0$ are unstable",
+        note="the statement holds for $d=0$ and $d=1$ on all of (23). Without damping the "
+        r"crossing is the origin, and all walls of the line with $\alpha>0$ are unstable",
     )
 
 

@@ -1,8 +1,8 @@
 """For which walls is the linear condition safe?
 
-The line of (25) crosses the boundary once. The stiffer walls on the line are unstable, and the less
-stiff ones are stable. We ask whether every wall is stable that satisfies (25) and has no more
-damping than the crossing, inside the ranges (23).
+The line of (25) crosses the boundary once. The stiffer walls on the line are unstable, and the
+less stiff ones are stable. For the arms of (23), we ask whether every wall that satisfies (25) and
+has at most the damping of the crossing is stable.
 """
 
 from symhaptic.book.lemmas.line_crossing import below_the_crossing
@@ -14,7 +14,7 @@ from symhaptic.paper.propositions.linear import safe
 def derive(page):
     flat, rise = 6 * (d + 1) ** 2 + 1, (d + 1) * (2 * d + 1) * (2 * d + 3)
     page.step(
-        r"For short periods the crossing is at a multiple of $\delta$",
+        r"For short periods, the damping $\beta_\times$ of the crossing is a multiple of $\delta$",
         (d + Rational(1, 2)) * flat * delta / rise - delta,
         (2 * d**2 + 2 * d + 1) * delta / (2 * (d + 1) * (2 * d + 3)),
         name=r"\beta_\times",
@@ -24,16 +24,17 @@ def derive(page):
     )
     page.say(
         r"The walls that satisfy (25), $\alpha>-\gamma$ and $\beta\le\beta_\times$ form a "
-        "triangle. For each of them the line has a stiffer wall with the same damping. This wall "
-        "is not stiffer than the crossing, so it is stable. With less stiffness the largest of "
-        "Jury's minors is larger, and the other inequalities hold in the whole triangle."
+        "triangle. For each wall of the triangle, the line has a stiffer wall with the same "
+        "damping. This wall is at most as stiff as the crossing, so it is stable. With less "
+        "stiffness the largest of Jury's minors is larger, and the other inequalities hold in "
+        "the whole triangle."
     )
     claim = safe()
     theorem = as_claimed(claim, below_the_crossing())
     page.lemma(
         "If a wall on the line is stable, every wall with (25) and at most its damping is stable",
         theorem,
-        because="this holds for $d=0$ and $d=1$ on all of (23)",
+        because="the statement holds for $d=0$ and $d=1$ on all of (23)",
         boxed=True,
     )
     page.state(
@@ -52,5 +53,6 @@ def derive(page):
         "linear-safe",
         theorem,
         example=arm | wall,
-        note=r"this holds for walls up to the damping $\beta_\times$ of the only crossing",
+        note=r"the statement holds for walls up to the damping $\beta_\times$ of the only "
+        "crossing",
     )

@@ -1,8 +1,9 @@
 r"""Do the stability boundaries of Fig. 11 intersect the passive regions?
 
-Fig. 11 of the paper draws both kinds of boundary in one plane, for $\gamma=0.001$, $\delta=0.02$
-and seven delays, two of them fractions of a period. For integer delays passive walls are stable, by
-\chapter{s5a_passive_is_stable}. We ask what the curves for $d=\tfrac14$ and $d=\tfrac12$ show.
+Fig. 11 of the paper draws the passivity and the stability boundaries in one plane, for
+$\gamma=0.001$, $\delta=0.02$ and seven delays, two of them fractions of a period. For integer
+delays passive walls are stable, by \chapter{s5a_passive_is_stable}. We ask what the curves for
+$d=\tfrac14$ and $d=\tfrac12$ show.
 """
 
 from symhaptic.book.figures.stability import passive_and_stable
@@ -36,17 +37,19 @@ def derive(page):
         because=r"the delay cancels for every real $d$ if $z^d$ is read as $e^{jd\theta}$",
     )
     page.say(
-        r"By the energy argument of \chapter{s5a_passive_is_stable} this number is larger than "
-        r"$\delta$ for $0<\theta\le\pi$. Therefore the curve never enters the passive region, for "
-        r"any spring, damper and delay, if fractional delays are read as $z^{-d}=e^{-jd\theta}$."
+        r"By the energy argument of \chapter{s5a_passive_is_stable}, this damping is larger than "
+        r"$\delta$ for $0<\theta\le\pi$. Therefore the stability boundary never enters the "
+        "passive region, for any spring, damper and delay, if fractional delays are read as "
+        r"$z^{-d}=e^{-jd\theta}$."
     )
     page.say(
-        "A loop whose force has a fractional delay has other boundaries, the solid curves in the "
-        r"figure. They differ from the paper's by 1.6 % of the largest stiffness for $d=\tfrac14$ "
-        r"and by 0.3 % for $d=\tfrac12$. All walls of (27) seem to lie inside these boundaries: we "
-        r"tested $4\cdot10^5$ walls of (27), and all are stable. This is evidence and not a proof. "
-        "It is proved that the walls of (27) for the next integer delay lie inside, by "
-        r"\chapter{s6g_next_whole_delay} and \chapter{s6e_fractional_passive_is_stable}."
+        "A loop whose force has a fractional delay has other boundaries, the solid curves in "
+        "the figure. They differ from the paper's by 1.6 % of the largest stiffness for "
+        r"$d=\tfrac14$ and by 0.3 % for $d=\tfrac12$. All walls of (27) seem to lie inside these "
+        r"boundaries: we tested $4\cdot10^5$ walls of (27), and all are stable. This test is "
+        r"evidence and not a proof. By \chapter{s6g_next_whole_delay} and "
+        r"\chapter{s6e_fractional_passive_is_stable}, the walls of (27) for the next integer "
+        "delay lie inside."
     )
     page.figure(
         "fig11",
@@ -66,7 +69,8 @@ def _settled(page):
         r"For $\delta=0.02$ the curve (27) bounds the passive walls, and above its corner every "
         "wall of the boundary is on it",
         passive_curve(dashed()),
-        because=r"this holds up to $\hat\omega=\pi/(d+1)$ and for integer delays, as in Fig. 4",
+        because=r"the curve is the boundary up to $\hat\omega=\pi/(d+1)$ and for integer delays, "
+        "as in Fig. 4",
     )
     page.lemma(
         "The walls of the explicit boundary have a zero on the circle, and none of them is stable",
@@ -74,9 +78,9 @@ def _settled(page):
         because="this holds for integer delays",
     )
     page.lemma(
-        "If no boundary separates a wall from a stable wall, it is stable",
+        "A wall that no boundary separates from a stable wall is stable",
         enclosed_walls_are_stable(),
-        because="this holds for integer delays, as in Fig. 9",
+        because="the statement holds for integer delays, as in Fig. 9",
     )
     page.lemma(
         "A passive wall is stable with a damped device with a spring, for every delay",
@@ -88,7 +92,8 @@ def _settled(page):
         "fig11",
         in_one_plane(),
         note=r"the text does not say which polynomial the solid curves for $d=\tfrac14$ and "
-        r"$d=\tfrac12$ belong to. Therefore only the last lemma is claimed for these delays. One "
-        r"$\delta$ stands for passivity and stability; for a device with an arm the passive "
-        r"regions drawn here are at least 32 times too large (\texttt{one-delta-figures})",
+        r"$d=\tfrac12$ belong to. Therefore only the last lemma is claimed for these delays. The "
+        r"figure uses the same $\delta$ for passivity and stability; for a device with an arm, "
+        "the passive regions drawn here are at least 32 times too large "
+        r"(\texttt{one-delta-figures})",
     )

@@ -20,8 +20,9 @@ def derive(page):
     free = page.free_of("the line", line, T, m)
     page.say(
         "We multiply the envelope of the passive walls by $T^2/m$ and $T/m$. The line of each "
-        f"frequency then does not contain mass and period ({free.method}), nor does the envelope. "
-        r"Both coordinates are proportional to $\delta$."
+        f"frequency then does not contain mass and period ({free.method}), nor does the "
+        r"envelope. The coordinates $\alpha$ and $\beta$ of the envelope are proportional to "
+        r"$\delta$."
     )
     page.step(
         "A line bounds the condition at one frequency",
@@ -32,7 +33,8 @@ def derive(page):
     page.say(
         r"As in physical units, the curve is the boundary for $0<\hat\omega\le\pi/(d+1)$ and "
         r"$d>0$. At larger angles, up to $\pi$, the curve is not on the border of the passive "
-        r"region. For some delays, such as $d=\tfrac14$, it has a pole at one of these angles."
+        r"region. For some delays, such as $d=\tfrac14$, the curve has a pole at one of these "
+        "angles."
     )
     _boundary(page, Eq(alpha, in_plane[0]), Eq(beta, in_plane[1]))
 
@@ -71,11 +73,11 @@ def _boundary(page, *forms):
             whole(d): (half, not_on_boundary(then, half, half_late(Rational(17, 10)))),
             end: (high, not_on_boundary(then, high, STEPS)),
         },
-        shows=r"for $d=1$, $\hat\omega=\tfrac23\pi$ (27) gives $(-4,2)\,\delta$: it has a negative "
-        "stiffness",
-        note=r"without delay (27) is the single point $(2\delta,0)$, and the rest of the boundary "
-        "is (6); for $d>0$ (27) bounds the walls of (5), and its walls at larger angles are not on "
-        "the boundary",
+        shows=r"for $d=1$ and $\hat\omega=\tfrac23\pi$, (27) gives the wall $(-4,2)\,\delta$, "
+        "which has a negative stiffness",
+        note=r"without delay, (27) is the single point $(2\delta,0)$, and the rest of the "
+        "boundary is (6). For $d>0$, (27) bounds the walls of (5), and its walls at larger "
+        "angles are not on the boundary",
     )
 
 

@@ -1,7 +1,8 @@
 r"""Can one damping describe a device with an arm, for passivity and for stability?
 
-By (2) the damping of the loop is the sum of the dampings of device and arm. By (3) only the damping
-of the device counts for passivity. Figs. 11 to 13 and the ratio $\eta$ use one $\delta$ for both.
+By (2) the damping of the loop is the sum of the dampings of device and arm. By (3) only the
+damping of the device counts for passivity. Figs. 11 to 13 and the ratio $\eta$ use the same
+$\delta$ for passivity and stability.
 """
 
 from symhaptic.book.lemmas.near_tip import CLOSE, none_above, wall_below
@@ -56,26 +57,28 @@ def derive(page):
         "The wall meets (5) with the damping $b_D$ of (3) if and only if it meets (5) in the "
         "normalised plane with $\\delta_D$",
         right(),
-        because="(5) is linear in $K$, $B$ and $b$; $\\omega T$ is the normalised angle",
+        because=r"condition (5) is linear in $K$, $B$ and $b$, and $\omega T$ is the normalised "
+        "angle",
     )
     page.say(
         r"So the passive walls of a device with an arm are those that (5) gives for $\delta_D$. "
-        r"The region that (5) gives for $\delta$ is $1+b_H/b_D$ times as large in each direction. "
-        "A passive wall is still stable, and some stable walls are this factor stiffer than every "
-        "passive wall."
+        r"The region that (5) gives for $\delta$ is $1+b_H/b_D$ times as large in each "
+        "direction. A passive wall is still stable, and some stable walls are at least this "
+        "factor stiffer than every passive wall."
     )
     page.lemma(
         "A wall with $K>0$ that meets (5) with the damping of the device is stable with every arm",
         stays_stable(),
-        because="such a wall also satisfies (5) with the damping of device and arm together, "
-        "which is larger. Every wall that satisfies this condition is stable with every spring",
+        because="a wall that meets (5) with the damping of the device also satisfies (5) with "
+        "the larger damping of device and arm together. Every wall that satisfies this "
+        "condition is stable with every spring",
     )
     page.lemma(
         "With every arm some stable wall is at least $1+b_H/b_D$ times as stiff as all passive "
         "walls",
         outdone_by_the_arm(),
-        because="the wall (11) with the damping of device and arm is stable with the arm; every "
-        "passive wall is less stiff than (11) with the damping of the device",
+        because="the wall (11) for the damping of device and arm together is stable with the "
+        "arm; no passive wall is stiffer than (11) for the damping of the device",
         boxed=True,
     )
     page.say(
@@ -144,10 +147,10 @@ def numbers(page):
     )
     page.settle("one-delta-kept", ratios_kept(), example=easy(claim))
     page.say(
-        "To tune a device, use $b_D$ for passivity and $b_D+b_H$ for stability. If $b$ in (5) "
-        "includes the damping of the arm, walls that are $1+b_H/b_D$ times too stiff appear to be "
-        "passive. In the example this factor is 24. Such a wall can deliver energy as soon as the "
-        "grip loosens."
+        "To tune a device, use $b_D$ for passivity and $b_D+b_H$ for stability. If the damping "
+        "of the arm is included in $b$ of (5), walls that are $1+b_H/b_D$ times too stiff "
+        "appear to be passive. In the example this factor is 24. Such a wall can deliver energy "
+        "as soon as the grip loosens."
     )
 
 

@@ -40,9 +40,9 @@ def _robust(page):
         springs,
         example=(wall, shown(wall)),
         unless={stiff: (drift, shown(drift), shaken)},
-        shows="without any stiffness the device drifts",
+        shows="without any stiffness, the device drifts",
         note="the statement holds for every passive wall with stiffness if the device has a "
-        r"damper, and for every $\gamma\ge0$, also if the natural frequency is above the Nyquist "
+        r"damper, and for every $\gamma\ge0$, even if the natural frequency is above the Nyquist "
         "frequency",
     )
 

@@ -21,9 +21,9 @@ from symhaptic.paper.propositions.comparison import passive
 
 def derive(page):
     page.say(
-        "We use units of mass and period. Let $P=N/A$ be the sampled device with $A=z^2-az+e$ and "
-        r"$N=n_1z+n_0$, and let $W(z)=(\alpha+\beta(1-1/z))z^{-d}$ be the wall with its delay. At "
-        "a root of the loop $1+PW=0$, so that $W=-1/P$. The margin of passivity, "
+        "We use units of mass and period. Let $P=N/A$ be the sampled device with $A=z^2-az+e$ "
+        r"and $N=n_1z+n_0$, and let $W(z)=(\alpha+\beta(1-1/z))z^{-d}$ be the wall with its "
+        "delay. At a root of the loop, $1+PW=0$, so that $W=-1/P$. The margin of passivity, "
         r"$\delta+\Re\{W/(z-1)\}$, becomes $\delta-\Re\{1/((z-1)P)\}$ there, and no longer "
         r"contains the delay, $\alpha$ and $\beta$. Let a held force $F$ drive the device in a "
         r"steady state that is multiplied by $z=e^{j\theta}$ per period."
@@ -51,13 +51,13 @@ def derive(page):
     page.say(
         r"Divided by $|(z-1)N|^2$ the inequality is $\delta<\Re\{1/((z-1)P)\}$. Now take a wall "
         r"$W$ that satisfies (5) and scale it from zero: $yW$ with $0<y\le1$. At a root of the "
-        r"loop on the circle $1/P=-yW$, so that $\delta+y\Re\{W/(z-1)\}<0$. But this number is the "
-        r"sum of $(1-y)\delta$ and $y$ times the margin, and neither of them is negative."
+        r"loop on the circle, $1/P=-yW$, so that $\delta+y\Re\{W/(z-1)\}<0$. But the left side is "
+        r"the sum of $(1-y)\delta$ and $y$ times the margin, and neither term is negative."
     )
     page.lemma(
         "No root crosses the circle while the wall is scaled from zero to $W$",
         no_crossing(),
-        because="the condition at every angle is (5) in these units. At $z=1$ the polynomial is "
+        because="at every angle, the condition is (5) in these units. At $z=1$ the polynomial is "
         r"$(n_1+n_0)(y\alpha+\gamma)$ by \chapter{s4d_left_bound}, which is positive for "
         r"$\alpha+\gamma>0$",
     )
@@ -73,10 +73,12 @@ def derive(page):
     page.lemma(
         "A wall with a margin at every angle is stable with every spring and damper",
         passive_is_stable(),
-        because=r"$\mathrm{stable}$ refers to the exact loop, and $\mathrm{stable}_{(18)}$ to the "
-        "roots of (18); for integer delays both are the same. Zeros are continuous in the "
-        "coefficients. Without a wall the zeros of a damped device with a spring lie inside. "
-        "Without a spring one zero lies at 1, and a small stiffness moves it inside",
+        because=r"the relation $\mathrm{stable}$ refers to the exact loop, and "
+        r"$\mathrm{stable}_{(18)}$ to the roots of (18); for integer delays they are "
+        "equivalent. The roots of a polynomial are continuous functions of its "
+        "coefficients. Without a wall, the poles of a damped device with a spring lie "
+        "inside the unit circle. Without a spring, one pole lies at 1, and a small "
+        "stiffness moves it inside",
         boxed=True,
     )
     _subset(page)
@@ -84,8 +86,9 @@ def derive(page):
 
 def _subset(page):
     page.say(
-        "This is the proof for integer delays, for which (5) and (18) are exact. For other delays "
-        r"the proof uses the held force itself, as in \chapter{s6e_fractional_passive_is_stable}."
+        "The argument above is the proof for integer delays, for which (5) and (18) are exact. "
+        "For other delays the proof uses the held force itself, as in "
+        r"\chapter{s6e_fractional_passive_is_stable}."
     )
     exact, computed = page.claim("s5a-subset").of
     arm = {gamma: STIFF, delta: DAMPED}

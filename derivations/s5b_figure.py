@@ -1,8 +1,8 @@
 r"""Is the largest stable stiffness ever equal to the largest passive one?
 
-Fig. 12 of the paper draws both over the delay, and the ratio $\eta$ of the passive to the stable
-one. The largest stable stiffness is larger, but at one delay the ratio comes close to one. We study
-this delay and longer ones.
+Fig. 12 of the paper draws the two stiffnesses, and the ratio $\eta$ of the passive to the stable
+one, against the delay. The stable stiffness is larger, but at one delay the ratio comes close to
+1. We study this delay and longer ones.
 """
 
 import itertools
@@ -40,7 +40,8 @@ def derive(page):
         passivity.dirichlet_form().subs({K: alpha, T: S.One}).subs(quarter),
         alpha / (2 * tan(theta / 2)),
         name=r"\frac{\alpha\sin(d+\frac12)\theta}{2\sin\frac\theta2}-\beta\cos(d+1)\theta",
-        because=r"so $\alpha\le2\delta\tan\frac\theta2$, and the wall (11) attains this bound",
+        because=r"therefore $\alpha\le2\delta\tan\frac\theta2$, and the wall (11) attains this "
+        "bound",
     )
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
     stiffness, _ = boundary.solved(on_circle(-(z**d) * bottom / top))
@@ -65,11 +66,12 @@ def derive(page):
         r"this angle, the ratio $\eta$ is about $1-\theta^2/12$",
     )
     page.say(
-        "So the two largest stiffnesses are never equal. The passive wall of maximum stiffness is "
-        r"stable, and so is a slightly stiffer one: $\eta<1$ for every integer delay. For "
+        "So the two largest stiffnesses are never equal. The passive wall of maximum stiffness "
+        r"is stable, and so is a slightly stiffer one: $\eta<1$ for every integer delay. For "
         r"$\delta=0.02$ the tip has the angle $\pi/(2(d+1))$ near $d=122$ without a spring, and "
-        r"near $d=40$ with $\gamma=0.001$. At these delays $\eta$ exceeds $0.9999$ and $0.9998$, "
-        "so it looks like 1 in a figure. For longer delays the angle of the tip increases:"
+        r"near $d=40$ with $\gamma=0.001$. At these delays, $\eta$ exceeds $0.9999$ and "
+        "$0.9998$, respectively, and looks like 1 in a figure. For longer delays the angle of "
+        "the tip increases:"
     )
     far = symbols("u")
     page.limit(
@@ -92,16 +94,16 @@ def derive(page):
     page.say(
         r"The passive limit equals the stable limit at $\varphi=\tfrac\pi2$, but "
         r"$\varphi\sin\varphi$ increases to $1.8197$ at $\varphi=2.029$. So without a spring "
-        r"$\eta$ falls towards $\tfrac\pi2/1.8197=0.863$. With a spring $\eta$ falls to 0, since "
-        "some walls are stable for every delay:"
+        r"$\eta$ falls towards $\tfrac\pi2/1.8197=0.863$. With a spring, $\eta$ falls to 0, "
+        "since some walls are stable for every delay:"
     )
     page.lemma(
         r"The wall $\alpha=0.00059$, $\beta=0$ is stable for every integer delay if "
         r"$\gamma=0.001$, $\delta=0.02$",
         stable_behind_every_delay(),
-        because="everywhere on the circle the device's part of the polynomial is larger than the "
-        r"wall's, $|A|>\alpha|N|$. So as many roots lie inside as without the wall, and these are "
-        "all roots",
+        because="everywhere on the circle the device's part of the polynomial is larger than "
+        r"the wall's, $|A|>\alpha|N|$. So the number of roots inside is the same as without the "
+        "wall, and all roots lie inside",
     )
     page.figure(
         "fig12",
@@ -126,10 +128,11 @@ def derive(page):
     page.settle(
         "fig12",
         drawn(),
-        note="this is proved for integer delays: for (a) at the five delays of Fig. 11; for (b) "
-        "and (c) between the delays of a list, up to 122 and 40, and at 1000. The ratio comes near "
-        r"1, stays below 1 and falls again. One $\delta$ stands for passivity and stability: for a "
-        r"device with an arm $\eta\le b_D/(b_D+b_H)$ (\texttt{one-delta})",
+        note="the statement is proved for integer delays: for (a) at the five delays of Fig. "
+        "11; for (b) and (c) between the delays of a list, up to 122 and 40, and at 1000. The "
+        r"ratio comes close to 1, stays below 1 and falls again. One $\delta$ stands for "
+        r"passivity and stability: for a device with an arm $\eta\le b_D/(b_D+b_H)$ "
+        r"(\texttt{one-delta})",
     )
 
 

@@ -43,12 +43,13 @@ def derive(page):
     page.lemma(
         "With less stiffness the margin stays non-negative at every angle",
         stays_passive(),
-        because=r"at $\theta\to0$ and $\theta=\pi/(d+1)$ the condition is $|\beta|\le\delta$",
+        because=r"for $\theta\to0$ and at $\theta=\pi/(d+1)$, the two conditions together are "
+        r"$|\beta|\le\delta$",
     )
     page.say(
         "Other walls may become unstable, because the virtual damper alone may be unstable with "
-        r"the delay. Inside (23) this occurs for long delays, such as $d=150$ with $\gamma=0.001$, "
-        r"$\delta=0.02$ and $\beta=0.0252$:"
+        "the delay. For the arms of (23), this instability occurs with long delays, such as "
+        r"$d=150$ with $\gamma=0.001$, $\delta=0.02$ and $\beta=0.0252$:"
     )
     arm = {gamma: Rational(1, 1000), delta: Rational(1, 50), beta: Rational("0.0252"), d: S(150)}
     soft = {**arm, alpha: Rational(1, 5000), y: S.Zero}
@@ -74,10 +75,11 @@ def derive(page):
             below: (soft, *(stands(soft), falls(soft), lacks(soft))),
             held: (drifting, *(stands(drifting), falls(drifting), met(drifting, [S.Half]))),
         },
-        shows=r"$\beta=0.0252$ and 150 periods of delay: stable with $\alpha=0.0002$, not with 0",
-        note=r"the statement is true for a passive wall with $K\ge0$ if $\delta>0$. This is proved "
-        "for integer delays; without delay the wall need not be passive. Inside (23) a search up "
-        "to 75 periods of delay gives no counterexample",
+        shows=r"with $\beta=0.0252$ and 150 periods of delay, the wall is stable with "
+        r"$\alpha=0.0002$ and unstable with $\alpha=0$",
+        note=r"the statement is true for a passive wall with $K\ge0$ if $\delta>0$. This is "
+        "proved for integer delays; without delay the wall need not be passive. For the arms of "
+        "(23), a search up to 75 periods of delay gives no counterexample",
     )
 
 

@@ -16,10 +16,10 @@ IN_WIDE = r"0\le\gamma\le0.01,\ 0\le\delta\le0.1"
 
 def derive(page):
     page.say(
-        r"Without delay Jury's inequalities decide. The device satisfies $1-a+e=\gamma(n_1+n_0)$ "
-        r"and $(n_1+n_0)s_1=1-e+\gamma n_0$. A stable wall has $1+n_1\beta>0$ by "
-        r"\chapter{s4d_jury_explicit}, and $|n_0\beta|<1$ since $n_0\beta$ is the product of its "
-        "roots:"
+        "Without delay, Jury's inequalities decide. The device satisfies "
+        r"$1-a+e=\gamma(n_1+n_0)$ and $(n_1+n_0)s_1=1-e+\gamma n_0$. A stable wall has "
+        r"$1+n_1\beta>0$ by \chapter{s4d_jury_explicit}, and $|n_0\beta|<1$ since $n_0\beta$ is "
+        "the product of its roots:"
     )
     arm = {a: 1 + e - gamma * RISE}
     loss = {e: 1 - RISE * s_1 + gamma * n_0}
@@ -75,7 +75,7 @@ def derive(page):
     page.lemma(
         r"Without delay a stable wall stays stable at any smaller stiffness above $-\gamma$",
         theorem,
-        because="the four inequalities prove this on all of this range",
+        because="the four inequalities prove the statement on the whole range",
         boxed=True,
     )
     page.state(

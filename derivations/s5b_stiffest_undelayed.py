@@ -45,9 +45,11 @@ def largest(page, minor, arm):
     device = plant.Sampled(n_1, n_0, arm[a], e)
     top = boundary.largest_undelayed(device)
     root = sqrt(n_0 * (n_0 + e * n_1 - gamma * n_0 * n_1))
-    page.define("The number $w$ is a square root of the device's coefficients", w, root)
+    page.define(
+        "The number $w$ is the square root of an expression in the device's coefficients", w, root
+    )
     page.step(
-        "The minor is a positive multiple of the margin minus a square",
+        r"The minor is a positive multiple of $\alpha_{\max}(0)-\alpha$, minus a square",
         minor.subs(arm),
         n_0 * (1 + n_1 * beta) * (LARGEST - alpha)
         - RISE * (n_0 * (1 + n_1 * beta) - w) ** 2 / (n_0 * n_1**2),
@@ -65,14 +67,15 @@ def largest(page, minor, arm):
         "No stable wall has $\\alpha_{\\max}(0)$ or more, for $\\gamma\\le0.01$ and "
         "$\\delta\\le0.1$",
         none_stiffer(),
-        because="$\\Delta_2$ and $1+n_1\\beta$ are positive, and a square is not negative",
+        because=r"for a stable wall, $\Delta_2$ and $1+n_1\beta$ are positive, and a square is "
+        "not negative",
     )
     page.lemma(
         "With the damping $\\beta=(w/n_0-1)/n_1$ every wall with "
         "$-\\gamma<\\alpha<\\alpha_{\\max}(0)$ is stable",
         all_softer(),
-        because="the square vanishes at this damping; balls around the numbers of the device show "
-        "that Jury's other inequalities hold",
+        because="the square vanishes at this damping; ball arithmetic with the coefficients of "
+        "the device shows that Jury's other inequalities hold",
     )
     page.state(
         "stiffest-wall-undelayed",
@@ -96,9 +99,9 @@ def ratio(page):
     page.enclosed(
         "The ratio of the largest stiffnesses is slightly more than 17.8",
         list(zip(names, ratios, strict=True)),
-        because="the closed form gives the first two numbers. The paper's 17.8 is these two "
-        "truncated, and its 0.0562 is the inverse of the first, rounded up. Just outside (23) the "
-        "ratio is less than 17.8",
+        because="the closed form gives the first two numbers. The paper's 17.8 is the truncated "
+        "value of both numbers, and its 0.0562 is the reciprocal of the first, rounded "
+        "up. Just outside (23) the ratio is less than 17.8",
     )
     page.settle(
         "s5b-eta-d0",
@@ -106,7 +109,7 @@ def ratio(page):
         example={gamma: S.Zero, delta: end},
         enclosed=True,
         value=(ratios[0], over(S.One, ratios[0])),
-        note="both statements hold on all of (23); the numbers are those of its corner "
-        r"$\gamma=0.001$, $\delta=0.02$. They assume one $\delta$ for passivity and stability; for "
-        r"a device with an arm see \texttt{one-delta}",
+        note="the two statements hold on all of (23); the numbers are those of its corner "
+        r"$\gamma=0.001$, $\delta=0.02$. They assume the same $\delta$ for passivity and "
+        r"stability; for a device with an arm, see \texttt{one-delta}",
     )

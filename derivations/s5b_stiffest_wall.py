@@ -1,7 +1,7 @@
 """Which wall of the boundary bounds the stable stiffness?
 
 The stiffness on the explicit boundary has a first maximum, but at larger angles it becomes larger
-again. We show with the zeros of the loop that no stable wall is stiffer than the first maximum. By
+again. We show from the poles of the loop that no stable wall is stiffer than the first maximum. By
 the same argument every tangent of the upper boundary bounds the stable walls.
 """
 
@@ -40,10 +40,10 @@ def derive(page):
         r"quadratic form $2\Re(\bar qzq')-(d+3)|q|^2$",
     )
     page.say(
-        "For an integer $d$ the form is negative definite if "
-        r"$\bigl(d+1-(n_1^2-n_0^2)/|N|^2\bigr)\sin\theta>1$, that is from about $(d+1)\theta=1$ "
-        "on. At these angles $uy-vx<0$ for every stable wall: the stable walls lie on one side of "
-        "the tangent."
+        "For an integer $d$, the quadratic part is negative definite if "
+        r"$\bigl(d+1-(n_1^2-n_0^2)/|N|^2\bigr)\sin\theta>1$, that is, from about $(d+1)\theta=1$ "
+        "on. At these angles $uy-vx<0$ for every stable wall: the stable walls lie on one side "
+        "of the tangent."
     )
     for id, says, claim, found in (
         (
@@ -65,9 +65,10 @@ def derive(page):
         page.settle(id, found, example=({d: S.One}, fact(whole(S.One))))
     page.say(
         "The theorem holds for every device, with or without spring and damper. It bounds the "
-        "stable stiffness by that of the tip. It does not show that walls just below the tip are "
-        "stable. Other chapters prove that such a wall is stable, by balls around its zeros "
-        r"(\chapter{s5b_stiffest_wall_numbers}), and without delay in closed form "
+        "stable stiffness by that of the tip, the first maximum. It does not show that walls "
+        "just below the tip are stable. Other chapters prove that such a wall is stable: by ball "
+        "arithmetic around the zeros of the characteristic polynomial "
+        r"(\chapter{s5b_stiffest_wall_numbers}) and, without delay, in closed form "
         r"(\chapter{s5b_stiffest_undelayed})."
     )
 

@@ -3,7 +3,7 @@ r"""How much stiffer than a passive wall can a stable one be?
 The paper uses the words \emph{far higher}, \emph{clearly larger} and \emph{much smaller}. It gives
 the ratio of the largest stable to the largest passive stiffness for two delays and draws its
 inverse $\eta$ in Fig. 12. For each ratio a stable wall next to the tip gives a lower bound, and a
-bound of all stable walls gives an upper one.
+bound on all stable walls gives an upper bound.
 """
 
 from symhaptic.book.lemmas.far_higher import at_least, by_how_much, dimensions
@@ -31,12 +31,12 @@ def derive(page):
     page.lemma(
         "With every integer delay some stable wall is at least as stiff as all passive walls",
         at_least(),
-        because="the wall (11) is passive, and so stable with every spring",
+        because="the wall (11) is passive and therefore stable with every spring",
     )
     page.say(
-        "For the arms of Fig. 12 two walls give the largest stable stiffness to nine digits. Balls "
-        "around the zeros of the loop show that a wall just below the tip is stable. One point of "
-        r"the circle shows that no stable wall is stiffer (\chapter{s5b_stiffest_wall}):"
+        "For the arms of Fig. 12 two walls give the largest stable stiffness to nine digits. "
+        "Balls around the poles of the loop show that a wall just below the tip is stable. One "
+        r"point of the circle shows that no stable wall is stiffer (\chapter{s5b_stiffest_wall}):"
     )
     arm = (STIFF, DAMPED)
     wall, stable = wall_below(arm, 1, FINE)
@@ -59,8 +59,8 @@ def derive(page):
             rf"$\gamma=0.001$, $\delta=0.02$; {HELD}",
         )
     page.say(
-        r"Passive walls have $|\beta|\le\delta$. Stable walls can have more damping. For the arm "
-        "of Fig. 11:"
+        r"Passive walls have $|\beta|\le\delta$. Stable walls can have more damping. We show "
+        "this for the arm of Fig. 11:"
     )
     page.table(
         "Ratio of the damping of some stable wall to the largest passive damping, a lower bound.",
@@ -71,18 +71,18 @@ def derive(page):
         "s5a-much-smaller",
         dimensions(),
         enclosed=True,
-        note="this is proved for the integer delays of Fig. 11: at $d=8$ a stable wall can have "
-        "2.46 times the largest passive stiffness, and another one 9 times the largest passive "
-        f"damping; {HELD}",
+        note="the statement is proved for the integer delays of Fig. 11: at $d=8$ one stable "
+        "wall has 2.46 times the largest passive stiffness, and another one has 9 times the "
+        f"largest passive damping; {HELD}",
     )
     page.settle(
         "s5b-eta-d1",
         of_ratio(page.claim("s5b-eta-d1"), 1, LATE),
         example={gamma: S.Zero, delta: DAMPED},
         enclosed=True,
-        note=r"both statements hold on all of (23). At its corner $\gamma=0.001$, $\delta=0.02$ "
-        r"the ratio is $9.314686\ldots$. The paper's 9.3 is this ratio truncated, and its 0.1074 "
-        f"is the inverse rounded up; {HELD}",
+        note=r"the two statements hold on all of (23). At its corner $\gamma=0.001$, "
+        r"$\delta=0.02$ the ratio is $9.314686\ldots$. The paper's 9.3 is this ratio, truncated, "
+        f"and its 0.1074 is the reciprocal, rounded up; {HELD}",
     )
     page.say(
         "With a spring some walls are stable for every delay. For the arm of Fig. 12 the wall "

@@ -15,14 +15,14 @@ def derive(page):
     page.lemma(
         r"The wall $\alpha=0.00059$, $\beta=0$ is stable with every integer delay",
         stable_behind_every_delay(),
-        because=r"the plant dominates on the whole circle: $|A|^2-\alpha^2|N|^2$ has no zero in "
-        r"$y=4\sin^2\frac\theta2$",
+        because="the plant dominates on the whole circle: as a polynomial in "
+        r"$y=4\sin^2\frac\theta2$, $|A|^2-\alpha^2|N|^2$ has no zero for $0\le y\le4$",
     )
     page.say(
-        "For shorter delays take a wall next to the tip. One point $z$ of the circle bounds the "
-        "distance of this wall from the tip: a polynomial $p$ of degree $n$ with all zeros inside "
-        r"satisfies $n|p|^2<2\Re\bar p\,zp'$ at $z$. At the angle of the tip this inequality is "
-        "false for all stiffer walls:"
+        "For shorter delays, take a wall next to the tip. One point $z$ of the circle bounds the "
+        "distance of this wall from the tip: a polynomial $p$ of degree $n$ with all zeros "
+        r"inside satisfies $n|p|^2<2\Re\bar p\,zp'$ at $z$. At the angle of the tip this "
+        "inequality is false for all stiffer walls:"
     )
     page.lemma(
         r"With a delay of 40 periods the stable walls have $\alpha<0.000766483$",
@@ -31,7 +31,7 @@ def derive(page):
     page.lemma(
         r"The ratio $\eta$ is less than $0.9998$ for every integer delay except 40",
         elsewhere(),
-        because="for each delay up to 67 one stable wall shows this; for longer delays passive "
+        because="for each delay up to 67, one stable wall shows this; for longer delays, passive "
         r"walls have $\alpha(d+1)\le2\delta$ by the condition at low frequencies",
     )
     _, [springs], then = taken_apart(page.claim("s5b-eta-grows"))
@@ -50,7 +50,8 @@ def derive(page):
         shows="with the spring, and with every integer delay, some stable wall is stiffer than all "
         r"passive ones; and $\eta$ falls again, without a spring from more than 0.9999 at "
         "$d=122$ to less than 0.91 at $d=1000$",
-        note="this is proved for integer delays. Rounded to three digits, 0.9998 is 1. Up to "
-        r"$d=40$ $\eta$ grows between the delays of Fig. 12. One $\delta$ stands for passivity and "
-        r"stability; for a device with an arm $\eta\le b_D/(b_D+b_H)$ (\texttt{one-delta})",
+        note="the statement is proved for integer delays. Rounded to three digits, 0.9998 is 1. "
+        r"Up to $d=40$, the ratio $\eta$ grows from each delay of Fig. 12 to the next. One "
+        r"$\delta$ stands for passivity and stability; for a device with an arm $\eta\le "
+        r"b_D/(b_D+b_H)$ (\texttt{one-delta})",
     )

@@ -24,12 +24,13 @@ def derive(page):
     page.say(
         r"The largest passive stiffness is proportional to $\delta$. For $d=0$ and $d=1$ two "
         "linear functions of the damping bound the largest stable stiffness on all of (23), one "
-        r"from each side. They are so close that they decide for dampings that differ by 2\,\%:"
+        "from each side. The two functions are so close that they decide the question for "
+        r"dampings that differ by 2\,\%:"
     )
     page.lemma(
-        r"For $d=0$ and $d=1$ a damping that is 2\,\% larger has a larger $\eta$",
+        r"For $d=0$ and $d=1$ the ratio $\eta$ is larger for a damping that is 2\,\% larger",
         further(),
-        because=r"a number $\varrho$ lies between the two ratios",
+        because=r"some number $\varrho$ lies between the two ratios",
     )
     page.say(
         "For the other integer delays of Fig. 11 walls next to the tips compare each of the "
@@ -42,11 +43,11 @@ def derive(page):
         claim=steps(),
     )
     page.settle("weaker-damping", step_by_step())
-    page.say("For long delays the opposite is true. At $d=200$ without a spring:")
+    page.say("For long delays the opposite is true. An example is $d=200$ without a spring:")
     page.lemma(
         "At $d=200$, $\\delta=0.01$ the stable walls have $\\alpha<0.00007843$",
         none_above((FAR[gamma], FAR[delta]), 200)[1],
-        because="this follows from the inequality at one point of the circle "
+        because="the bound follows from the inequality at one point of the circle "
         r"(\chapter{s5b_stiffest_wall})",
     )
     then = taken_apart(page.claim("s5a-smaller-delta"))[2]

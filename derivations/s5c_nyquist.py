@@ -24,8 +24,8 @@ def derive(page):
     page.lemma(
         "A damped mass on a spring oscillates with one frequency only",
         swings(),
-        because=r"$e^{\sigma t}\sin\omega t$ satisfies Newton's law if and only if its sine and "
-        "its cosine part vanish",
+        because=r"the motion $e^{\sigma t}\sin\omega t$ satisfies Newton's law if and only if "
+        "the coefficients of its sine and of its cosine vanish",
     )
     _frequency(page, (one - two) / (2 * I))
     unit = plant.normalised(Parts())
@@ -40,7 +40,7 @@ def derive(page):
     )
     _in_units(page, turns)
     page.say(
-        "The Nyquist frequency is $\\omega T=\\pi$. Both sides of $\\omega T\\le\\pi$ are "
+        r"The Nyquist frequency is $\omega T=\pi$. The two sides of $\omega T\le\pi$ are "
         "positive, so their squares can be compared:"
     )
     page.lemma(

@@ -20,7 +20,7 @@ def derive(page):
         (((one - two) / (2 * I)) ** 2).subs(k, spring),
         (pi / T) ** 2,
         name=r"\omega^2\big|_{k=\pi^2m/T^2+b^2/(4m)}",
-        because="this follows from (28) for an underdamped device",
+        because="the stiffness follows from (28) for an underdamped device",
         paper="31",
     )
     example_(page, spring)
@@ -44,7 +44,7 @@ def example_(page, spring):
     page.lemma(
         "For $0\\le b\\le14.6$ Ns/m the stiffness of Example 5.1 stays below 987\\,500 N/m",
         on_box(box.positive(987500 - device, {b: (0, Rational(146, 10))})),
-        because="so the stiffness rounds to the published number",
+        because="therefore the stiffness rounds to the published number",
     )
     then = taken_apart(CLAIMED["eq31"]((Eq(k, spring),)))[2]
     _, rounds = then.of

@@ -30,19 +30,19 @@ def derive(page):
         loop.characteristic(Parts(damping=False)).subs(gamma, pi**2),
         (z + 1) * ((z + 1) * z ** (d + 1) + 2 * ((alpha + beta) * z - beta) / pi**2),
         name="p_1(z)",
-        because="so the polynomial has the root $-1$ for every wall and every delay",
+        because="therefore the polynomial has the root $-1$ for every wall and every delay",
     )
     pole = page.lemma(
         "Without damping a pole lies at $-1$, and no wall moves it",
         mirrored_pole(S.Zero),
-        because=r"for a delay of $\ell/q$ periods $w=e^{j\pi/q}$ is a zero of the polynomial in "
+        because=r"for a delay of $\ell/q$ periods, $w=e^{j\pi/q}$ is a root of the polynomial in "
         "$w=z^{1/q}$, and $w^q=-1$",
     )
     page.lemma(
         "For integer delays one pole at $-1$ is not observable in the samples",
         split(),
-        because="the polynomial is $z+1$ times a second polynomial, and the second one is zero at "
-        r"$-1$ only for $\alpha+2\beta=0$",
+        because="the polynomial is $z+1$ times a second polynomial, which is zero at $-1$ only "
+        r"for $\alpha+2\beta=0$",
     )
     page.say(
         "The loop is limit stable if $-1$ is a simple zero and all other zeros lie inside the "
@@ -65,7 +65,8 @@ def derive(page):
     damped = page.lemma(
         "With damping a pole lies at $-e^{-\\delta/2}$, and no wall moves it",
         mirrored_pole(delta),
-        because=r"$\gamma=\pi^2+\delta^2/4$ is the Nyquist frequency of a damped device",
+        because=r"for $\gamma=\pi^2+\delta^2/4$, a damped device oscillates at the Nyquist "
+        "frequency",
     )
     page.settle(
         "s5c-pole-inside",

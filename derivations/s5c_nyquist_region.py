@@ -34,11 +34,11 @@ def derive(page):
         whole,
         (z + LEFT) * rest,
         name="p_1(z)",
-        because=r"so one root is $-e^{-\delta/2}$ for every wall and every delay",
+        because=r"therefore one root is $-e^{-\delta/2}$ for every wall and every delay",
     )
     page.say(
-        "For $d=0$ the other factor $q$ is a quadratic. With $f=e^{-\\delta/2}$ and "
-        "$\\nu=(1+f)/\\gamma$ Jury's inequalities for it are three half planes:"
+        r"For $d=0$ the other factor $q$ is a quadratic. With $f=e^{-\delta/2}$ and "
+        r"$\nu=(1+f)/\gamma$, Jury's inequalities for this quadratic are three half planes:"
     )
     f = symbols("f")
     quadratic = [S.One, f + SHARE * (alpha + beta), -SHARE * beta]
@@ -53,7 +53,7 @@ def derive(page):
         one,
         1 + f + SHARE * alpha,
         name="q(1)",
-        because="$\\alpha>-\\gamma$",
+        because="the value is positive for $\\alpha>-\\gamma$",
     )
     page.step(
         r"The quadratic at $-1$ bounds $\alpha+2\beta$",
@@ -66,7 +66,7 @@ def derive(page):
         three,
         1 + SHARE * beta,
         name="1-r_1r_2",
-        because="$\\beta>-1/\\nu$",
+        because=r"the difference is positive for $\beta>-1/\nu$",
     )
     edge = page.step(
         r"The third side of the triangle is the line $\alpha+2\beta=(1-f)/\nu$",
@@ -90,13 +90,16 @@ def derive(page):
     page.settle(
         "s5c-shape",
         other_shape_and_size(),
-        note=r"this is proved for $d=0$ only: a region below an arc, up to $\alpha=0.71$ and "
-        r"$\beta=2$, becomes a triangle with corners at $\beta=\pm\pi^2/2$",
+        note="the statement is proved for $d=0$ only: a region below an arc, up to "
+        r"$\alpha=0.71$ and $\beta=2$, becomes a triangle with corners at $\beta=\pm\pi^2/2$",
     )
     page.settle(
         "s5c-delta-hardly-visible",
-        page.lemma("The sides of the triangle move by less than 0.05 in (23)", hardly_moved()),
+        page.lemma(
+            "For the dampings of (23) the sides of the triangle move by less than 0.05",
+            hardly_moved(),
+        ),
         enclosed=True,
-        note="this is proved for $d=0$ and the stiffest of the 41 springs only; the other curves "
-        "are undecided",
+        note="the statement is proved for $d=0$ and the stiffest of the 41 springs only; the "
+        "other curves are undecided",
     )

@@ -39,9 +39,9 @@ def derive(page):
     )
     page.say(
         r"Each zero $a$ of a polynomial $p$ adds $z/(z-a)$ to $zp'/p$, and more than $\tfrac12$ "
-        "to its real part if $|a|<1=|z|$. So if all $d+3$ zeros of $p_1$ lie inside, "
-        r"$2\Re(zp_1'\bar p_1)>(d+3)|p_1|^2$ on the circle. Consider the angle at which the plant "
-        "vanishes:"
+        "to its real part if $|a|<1=|z|$. So, if all $d+3$ zeros of $p_1$ lie inside the "
+        r"circle, $2\Re(zp_1'\bar p_1)>(d+3)|p_1|^2$ holds on the circle. Consider the angle at "
+        "which the denominator of the plant vanishes:"
     )
     value, speed = (on_circle(e, Omega) for e in (whole, z * diff(whole, z)))
     back, slowed = (e.xreplace({I: -I}) for e in (value, speed))
@@ -54,7 +54,7 @@ def derive(page):
         -4 * n_0 * sin(Omega) * (along * sin(late * Omega) - across * cos(late * Omega))
         - 2 * n_0**2 * (1 + cos(Omega)) * square,
         name=r"2\Re(zp_1'\bar p_1)-(d+3)|p_1|^2",
-        because="for a stable wall this number is positive",
+        because="for a stable wall, this difference is positive",
     )
     page.say(
         r"Take the spring with $(d+1)\Omega=\tfrac\pi2$. The first term is then "
@@ -90,14 +90,16 @@ def derive(page):
     )
     page.say(
         r"So no wall is robustly stable. With the spring $(d+1)\sqrt\gamma=\frac\pi2$ every wall "
-        r"with $\alpha\ge0$ except the origin has a zero outside the circle. If its zeros were "
-        r"inside or on the circle, the inequality would hold with $\ge$, but the sum of both terms "
-        "is negative. At the origin the device oscillates without a wall and is only limit stable."
+        r"with $\alpha\ge0$ except the origin has a zero outside the circle. If all roots were "
+        r"inside or on the circle, the inequality would hold with $\ge$, but the sum of the two "
+        "terms is negative. At the origin the device oscillates without a wall and is only "
+        "limit stable."
     )
     symbols, given, then = taken_apart(page.claim("s5c-robust-vanishes"))
     page.settle(
         "s5c-robust-vanishes",
         for_all(symbols, given, vanishes(then.of[0])),
         example={alpha: S.Zero, beta: S.Zero, d: S.Zero},
-        note=r"this holds for every delay; one spring excludes all walls with $\alpha\ge0$",
+        note="the statement holds for every delay; one spring excludes all walls with "
+        r"$\alpha\ge0$",
     )

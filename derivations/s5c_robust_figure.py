@@ -1,9 +1,9 @@
 r"""Which walls are stable with every spring?
 
-A wall is robustly stable if it is stable with every spring, $0\le\gamma\le\pi^2+\delta^2/4$.
-Passive walls are robustly stable for integer delays, by \chapter{s5a_passive_is_robust}; without
-damping no wall is, by \chapter{s5c_robust}. We ask which walls are robustly stable with little
-damping.
+A wall is robustly stable if it is stable with every spring, $0\le\gamma\le\pi^2+\delta^2/4$. For
+integer delays, passive walls are robustly stable (\chapter{s5a_passive_is_robust}). Without
+damping, no wall is robustly stable (\chapter{s5c_robust}). We ask which walls are robustly stable
+with little damping.
 """
 
 from symhaptic.book.figures.stability import springs
@@ -19,8 +19,8 @@ def derive(page):
     page.say(
         r"We use the notation of \chapter{s5c_robust}. A little damping moves the plant's roots "
         r"$e^{\pm j\Omega}$ inside by $\delta/2$. A wall of small gain also moves them, by the "
-        "quotient of the wall's part of the polynomial and the derivative of the plant's part. At "
-        r"$\theta=\Omega$:"
+        "quotient of the wall's part of the polynomial and the derivative of the plant's part. "
+        r"At $\theta=\Omega$ the motion of the root is proportional to one number:"
     )
     page.step(
         "The wall moves a root outwards by a multiple of the required damping",
@@ -32,14 +32,14 @@ def derive(page):
         "damping that passivity requires at this angle",
     )
     page.say(
-        "To first order a wall is therefore robustly stable if, at every angle, the damping that "
-        "passivity requires is less than "
-        r"$\delta/(2n_1)=\delta\,(\tfrac\theta2)^2/\sin^2\tfrac\theta2$. This bound grows with the "
-        r"frequency, up to $\pi^2/4$ times the damping of the device. (The argument does not apply "
-        r"at $\theta=0$ and $\pi$, where two roots of the plant coincide.) With long delays low "
-        "frequencies decide, and the robustly stable and the passive region approach each other. "
-        r"For $\delta=0.02$ the robustly stable region is 1.25, 1.19 and 1.08 times as large as "
-        "the passive region for $d=0$, 1 and 2."
+        "To first order a wall is therefore robustly stable if, at every angle, the damping "
+        "that passivity requires is less than "
+        r"$\delta/(2n_1)=\delta\,(\tfrac\theta2)^2/\sin^2\tfrac\theta2$. This bound grows with "
+        r"the frequency, up to $\pi^2/4$ times the damping of the device. (The argument does not "
+        r"apply at $\theta=0$ and $\pi$, where two roots of the plant coincide.) With long "
+        "delays, low frequencies decide, and the robustly stable region approaches the passive "
+        r"region. For $\delta=0.02$ the robustly stable region is 1.25, 1.19 and 1.08 times as "
+        "large as the passive region for $d=0$, 1 and 2."
     )
     undamped, apart = plant.normalised(Parts(damping=False)), 2 * I * Omega
     late = fractional.late(undamped, split=apart)
@@ -52,9 +52,9 @@ def derive(page):
         r"multiplies the force by $e^{-j\varepsilon\Omega}$, as in the paper",
     )
     page.say(
-        "So to first order both readings of a fractional delay have the same robustly stable "
-        "region, although their stable regions for stiff springs differ. The figure shows a delay "
-        "of half a period twice: for a delayed force and for the paper's reading."
+        "So, to first order, the two readings of a fractional delay have the same robustly "
+        "stable region, although their stable regions for stiff springs differ. The figure "
+        "shows a delay of half a period twice: for a delayed force and for the paper's reading."
     )
     page.figure(
         "fig13",
@@ -71,6 +71,7 @@ def derive(page):
         up_to_nyquist(),
         note=r"the text does not say which polynomial the curves for $d=\tfrac12$ belong to. "
         "Therefore the claim for this delay is only that the passive walls are robustly stable. "
-        r"One $\delta$ stands for passivity and stability; for a device with an arm the passive "
-        r"regions drawn here are at least 32 times too large (\texttt{one-delta-figures})",
+        r"The figure uses the same $\delta$ for passivity and stability; for a device with an "
+        "arm, the passive regions drawn here are at least 32 times too large "
+        r"(\texttt{one-delta-figures})",
     )

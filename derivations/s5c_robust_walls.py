@@ -33,7 +33,7 @@ def derive(page):
     page.say(
         r"For $\delta=0.02$ a slightly stiffer wall is robustly stable, too. Jury's inequalities "
         "are polynomials in the numbers of the device, and balls contain these numbers for all "
-        rf"springs up to $\gamma={float(STIFFEST)}$, which is beyond (30). For instance, with one "
+        rf"springs up to $\gamma={float(STIFFEST)}$, which is beyond (30). An example has one "
         "period of delay:"
     )
     stiffness, damping = WALLS[1]
@@ -43,16 +43,17 @@ def derive(page):
         is_robust(1),
     )
     page.say(
-        "One spring is sufficient for an upper bound, since a robustly stable wall is stable with "
-        r"this spring. We choose a spring with $\Omega$ close to $\frac\pi{2(d+1)}$. Without delay "
-        r"two springs are necessary: $\gamma=0$ and that of the Nyquist frequency."
+        "One spring is sufficient for an upper bound, since a robustly stable wall is stable "
+        r"with this spring. We choose a spring with $\Omega$ close to $\frac\pi{2(d+1)}$. "
+        r"Without delay, two springs are necessary: $\gamma=0$ and the spring of the Nyquist "
+        "frequency."
     )
     limit, bound = none_stiffer(1, DAMPED)
     page.lemma(
         rf"With $\gamma={float(softest(1, DAMPED))}$ and $d=1$ every stable wall has "
         rf"$\alpha<{float(limit)}$",
         bound,
-        because="this follows from the inequality at one point of the circle "
+        because="the bound follows from the inequality at one point of the circle "
         r"(\chapter{s5b_stiffest_wall})",
     )
     rows = [[n, *ends] for n, ends in CONSERVATIVE.items()]
@@ -67,10 +68,10 @@ def derive(page):
         "s6-why-conservative",
         conservative(),
         enclosed=True,
-        note="with the springs of (23) a stable wall can be 17.8 times as stiff as a passive one "
-        "at $d=0$. A wall that is stable with all springs of (30) is less than 1.118 times as "
-        "stiff at $d=0$, and less than 1.0532 times at $d=1$. So stiff springs explain nearly all "
-        "of the difference",
+        note="with the springs of (23), a stable wall can be 17.8 times as stiff as a passive "
+        "one at $d=0$. A wall that is stable with all springs of (30) is less than 1.118 times "
+        "as stiff at $d=0$, and less than 1.0532 times at $d=1$. So stiff springs explain "
+        "nearly all of the difference",
     )
     changes(page)
     left_open(page)
@@ -81,15 +82,16 @@ def changes(page):
     page.settle(
         "s5c-robust-shrinks",
         shrinks(),
-        note=r"this is proved for the largest stiffness, $\delta=0.02$ and the integer delays 0 to "
-        r"8; for the regions as sets of walls it is undecided (\texttt{s5c-robust-shrinks-sets})",
+        note=r"the statement is proved for the largest stiffness, $\delta=0.02$ and the integer "
+        "delays 0 to 8; for the regions as sets of walls it is undecided "
+        r"(\texttt{s5c-robust-shrinks-sets})",
     )
     dampers = ", ".join(f"{float(v):g}" for v in (Rational(1, 200), Rational(1, 100), DAMPED))
     page.settle(
         "s5c-robust-grows",
         grows(),
-        note=rf"this is proved for the largest stiffness, for $\delta$ of {dampers} and the "
-        "integer delays of Fig. 11; for the regions as sets of walls it is undecided "
+        note=rf"the statement is proved for the largest stiffness, for $\delta$ of {dampers} and "
+        "the integer delays of Fig. 11; for the regions as sets of walls it is undecided "
         r"(\texttt{s5c-robust-grows-sets})",
     )
 
@@ -97,7 +99,7 @@ def changes(page):
 def left_open(page):
     """What no theorem decides."""
     page.say(
-        r"Three statements are left open. For $\delta=0.02$ and the delays 0, 1, 2, 4 and 8 each "
+        r"Three statements remain open. For $\delta=0.02$ and the delays 0, 1, 2, 4 and 8 each "
         "computed outline of the robustly stable region lies inside the previous one. For the "
         r"delays 0, 1, 2 and 4 the outline for $\delta=0.01$ lies inside that for 0.02. Computed "
         "outlines are not a proof. It is also open whether a robustly stable wall that is not "

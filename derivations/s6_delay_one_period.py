@@ -1,4 +1,4 @@
-"""Which share of the stiffness remains with one period of delay?
+"""Which share of the stable stiffness remains with one period of delay?
 
 In its conclusion the paper says that less than 22 % of the stable stiffness remains. We ask for
 which arms this is true.
@@ -13,8 +13,8 @@ from symhaptic.paper.propositions.far_higher import left_by_one_period
 
 def derive(page):
     page.say(
-        r"We take the arm of Figs. 11 and 12, $\gamma=0.001$ and $\delta=0.02$. For both delays a "
-        "stable wall and a bound of all stable walls enclose the largest stiffness:"
+        r"We take the arm of Figs. 11 and 12, $\gamma=0.001$ and $\delta=0.02$. For $d=0$ and "
+        "$d=1$, a stable wall and a bound on all stable walls enclose the largest stiffness:"
     )
     for delay in (0, 1):
         wall, stable = wall_below((STIFF, DAMPED), delay, FINE)
@@ -30,14 +30,15 @@ def derive(page):
     )
     page.settle("one-period-share", far_higher.left_by_one_period(), enclosed=True)
     page.say(
-        "On all of (23) linear functions of the damping bound the largest stable stiffness of both "
-        "delays, and their ratio stays below 22 %:"
+        "On all of (23), linear functions of the damping bound the largest stable stiffness of "
+        "the two delays, and the ratio of the bounds stays below 22 %:"
     )
     page.settle(
         "s6-stable-22",
         one_period(),
         example={gamma: S.Zero, delta: S.Zero},
         enclosed=True,
-        note=r"this is proved for all of (23). For $\gamma=0.001$, $\delta=0.02$ the share is "
-        r"$0.216547\ldots$, which rounds to 22\,\%; for a free mass it is $0.210507\ldots$",
+        note=r"the statement is proved for all of (23). For $\gamma=0.001$, $\delta=0.02$ the "
+        r"share is $0.216547\ldots$, which rounds to 22\,\%; for a free mass it is "
+        r"$0.210507\ldots$",
     )

@@ -30,7 +30,7 @@ def passive(page):
         2 * d * tan(pi / (4 * (d + 1))),
         name=r"K_{\max}t_d/b",
     )
-    page.say("With $h=1/(d+1)$:")
+    page.say("We write (11) with $h=1/(d+1)$:")
     page.limit(
         r"For $T\to0$ the passive limit $K_{\max}t_d/b$ tends to $\pi/2$",
         scaled.subs(d, 1 / h - 1),
@@ -53,18 +53,19 @@ def passive(page):
         "faster-sampling",
         gains_little(),
         example=(ones, fact(whole(S.One))),
-        note="this holds for every device, integer delay and integer ratio of rates, because "
-        r"$\tan x/x$ in (11) increases with $x$",
+        note="the statement holds for every device, integer delay and integer ratio of rates, "
+        r"because $\tan x/x$ increases with $x$, the angle in (11)",
     )
 
 
 def settled(page):
     """At one period of delay, and at ten."""
     page.say(
-        "For stable walls no such bound is shown for all delays. By a significant gain we "
-        "understand a quarter. At ten periods of delay we check every integer ratio of rates up to "
-        "ten, for a free mass and for the arm of Figs. 11 and 12. A stable wall near the tip "
-        "bounds the stiffness at the old rate, and a bound near the tip that at the new rate:"
+        "For stable walls no such bound is shown for all delays. We call a gain significant if "
+        "it is at least a quarter. At ten periods of delay we check every integer ratio of "
+        "rates up to ten, for a free mass and for the arm of Figs. 11 and 12. A stable wall "
+        "near the tip bounds the stiffness at the old rate, and a bound on all stable walls "
+        "near the tip bounds it at the new rate:"
     )
     page.lemma(
         "With a delay of a hundred periods the stable walls of a free mass have "
@@ -80,9 +81,9 @@ def settled(page):
         unless={SLOW: (SOON, much(then.at(SOON)), not_slow())},
         shows=r"at $d=1$, where the delay is twice the half period of the hold, sampling a hundred "
         r"times as fast gives a free mass more than 3.7 times the stable stiffness",
-        note="this holds for integer delays and ratios of rates, if a quarter is a significant "
-        "gain. The largest passive stiffness of every device grows by a factor of at most $1+1/d$ "
-        r"(\texttt{faster-sampling}). For stable walls other delays are undecided",
+        note="the statement holds for integer delays and ratios of rates, if a quarter is a "
+        "significant gain. The largest passive stiffness of every device grows by a factor of "
+        r"at most $1+1/d$ (\texttt{faster-sampling}). For stable walls other delays are undecided",
     )
 
 
@@ -94,8 +95,8 @@ def heavier(page):
     page.same("the same loop", physical.xreplace(grown), physical)
     page.say(
         "Double the mass, spring and damper of the device, and the stiffness and damping of the "
-        "wall. The polynomial $p(z)$ of the loop does not change. So its roots, every motion, and "
-        "the ratio $K/m$ stay the same."
+        "wall. The polynomial $p(z)$ of the loop does not change. So the roots, every motion, "
+        "and the ratio $K/m$ stay the same."
     )
 
 

@@ -1,8 +1,8 @@
 """Do the damper and the spring of an arm hardly matter?
 
-The paper concludes that neither of them matters much inside the range (23). We compare the largest
-stable stiffness with and without the damper and the spring: numerically for delays up to seven
-periods, and by one spring for long delays.
+The paper concludes that neither the damper nor the spring matters much inside the range (23). We
+compare the largest stable stiffness with and without the damper and the spring: numerically for
+delays up to seven periods, and by one spring for long delays.
 """
 
 from symhaptic.book.lemmas.marginal import AT_ONCE, LONG, by_a_factor, changes, none_pushes
@@ -21,8 +21,8 @@ PARTS = {
 def derive(page):
     page.say(
         "For each end of the range (23) a stable wall next to the tip and a bound of all stable "
-        "walls enclose the largest stable stiffness. For instance, for an undamped arm with "
-        r"$\gamma=0.001$ and for $d=7$:"
+        "walls enclose the largest stable stiffness. An example is an undamped arm with "
+        r"$\gamma=0.001$ for $d=7$:"
     )
     arm = (Rational(1, 1000), S.Zero)
     wall, stable = wall_below(arm, 7, FINE)
@@ -39,9 +39,9 @@ def derive(page):
         r"$\gamma=(\frac\pi{100})^2<0.001$",
     )
     page.say(
-        r"So with long delays neither part is marginal: for $d=49$ no wall with $\alpha\ge0$ is "
-        "stable with this spring and without a damper. No factor bounds the effect of the damper "
-        "and of the spring."
+        "So with long delays the damper and the spring are not marginal: for $d=49$ no wall "
+        r"with $\alpha\ge0$ is stable with this spring and without a damper. No factor bounds "
+        "the effect of the damper and of the spring."
     )
     damping(page)
     spring(page)

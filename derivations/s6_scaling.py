@@ -74,14 +74,16 @@ def _grown(point, stiffness, damping):
 def performance(page):
     """Stiffness per mass, and all else in proportion."""
     found = page.lemma(
-        "Stiffness and mass with the same factor have no benefit", with_the_stiffness(STIFFER)
+        "Multiplying stiffness and mass by the same factor has no benefit",
+        with_the_stiffness(STIFFER),
     )
     point = STILL | {K: S.One, B: S.One, HEAVY: S(2), STIFFER: S(2)}
     page.settle(
         "s6-performance",
         found,
         example=point,
-        note="if wall, damper and spring grow with the mass, the motion of the loop is the same",
+        note="if $K$, $B$, $b$ and $k$ are multiplied by the same factor as the mass, the motion "
+        "of the loop is unchanged",
     )
 
 
@@ -92,12 +94,14 @@ def light(page):
         "shrink by the factor $(m_D+ym_H)/(m_D+m_H)$ if only the share $y$ of the arm's mass is "
         "added:"
     )
-    found = page.lemma("This factor is larger for a heavier device", lighter_hands())
+    found = page.lemma(
+        "The factor $(m_D+ym_H)/(m_D+m_H)$ is larger for a heavier device", lighter_hands()
+    )
     page.settle(
         "s6-light-device",
         found,
-        note="this is proved for devices without damper and spring, whose stable walls are "
-        "proportional to the mass; which mass is sensible is a matter of judgement",
+        note="the statement is proved for devices without damper and spring, whose stable walls "
+        "are proportional to the mass; which mass is sensible is a matter of judgement",
     )
 
 

@@ -42,9 +42,9 @@ def derive(page):
         "The sampled device is exact for every device and continuous in the delay",
         exact_late_plant(),
         boxed=True,
-        because=r"$g(t)$ is the motion from rest under a unit force, $m_2=g(1-\varepsilon)$ and "
-        r"$m_1=g(2-\varepsilon)-(1+a)m_2$. This holds for a device with a spring, for critical "
-        "damping, for a damper alone, and for a free mass",
+        because=r"if $g(t)$ is the motion from rest under a unit force, $m_2=g(1-\varepsilon)$ "
+        r"and $m_1=g(2-\varepsilon)-(1+a)m_2$. These equations hold for a device with a spring, "
+        "for critical damping, for a damper alone, and for a free mass",
     )
     page.state(
         "fractional-plant",
@@ -63,9 +63,9 @@ def derive(page):
         "and the effect of the previous force decays, "
         r"$m_0=\varepsilon^2e^{-\delta(1-\varepsilon)}\,"
         r"n_0\bigl(\gamma\varepsilon^2,\delta\varepsilon\bigr)$. "
-        "One function is sufficient for both, because "
-        r"$n_0(\gamma,\delta)=e^{-\delta}\,n_1(\gamma,-\delta)$. This follows by reversing the "
-        "time, which changes the sign of the damping."
+        "One function is sufficient for $m_2$ and $m_0$, because "
+        r"$n_0(\gamma,\delta)=e^{-\delta}\,n_1(\gamma,-\delta)$. This identity follows by "
+        "reversing the time, which changes the sign of the damping."
     )
 
     def shortened(time):
@@ -82,10 +82,10 @@ def derive(page):
         r"The delay does not affect a constant force, and for $\varepsilon=0$ and $\varepsilon=1$ "
         "the coefficients are those of an integer delay",
         conj(*numbers_of_a_late_device()),
-        because=r"so $P(1)=1/\gamma$, and $\varepsilon=1$ gives one more factor $z^{-1}$",
+        because=r"therefore $P(1)=1/\gamma$, and $\varepsilon=1$ gives one more factor $z^{-1}$",
     )
     free = fractional.late(plant.normalised(Parts(stiffness=False, damping=False)))
-    page.say("For a free mass, $\\gamma=\\delta=0$:")
+    page.say(r"For a free mass, $\gamma=\delta=0$, the coefficients are quadratic in the fraction:")
     numbers = [(m_2, rest**2 / 2), (m_1, (1 + 2 * epsilon - 2 * epsilon**2) / 2)]
     numbers.append((m_0, epsilon**2 / 2))
     for (name, value), derived in zip(numbers, (free.m2, free.m1, free.m0), strict=True):

@@ -73,7 +73,8 @@ def derive(page):
         S.Zero,
         name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,"
         r"\ \alpha=\Re Q-\beta(1-\cos\theta)}",
-        because=r"this holds for every plant, every integer $\ell$ and every $\varepsilon$",
+        because=r"the solution holds for every plant, every integer $\ell$ and every "
+        r"$\varepsilon$",
     )
     at_one = Eq(polynomial.subs(z, 1), (n_1 + n_0) * (alpha + gamma))
     total = numbers_of_a_late_device()[0]
@@ -92,8 +93,8 @@ def derive(page):
     found = page.lemma(
         "At each angle one wall has a root",
         boundary_is_explicit(),
-        because="the equation and its conjugate determine two real unknowns; if $M=0$, also $A=0$, "
-        "and no wall moves the root",
+        because="the equation and its conjugate determine two real unknowns; if $M=0$, then "
+        "$A=0$ as well, and no wall moves the root",
     )
     page.state(
         "fractional-boundary",
@@ -143,6 +144,6 @@ def derive(page):
         S.Zero,
         S.Zero,
         name=r"\frac1\theta\Bigl(\frac{Q}{\theta^2}\,e^{-j(\ell+\varepsilon+1/2)\theta}-1\Bigr)",
-        because=r"so the boundary starts with $\beta/\alpha=d+\frac12$. Near the origin the linear "
-        "condition (25) is also right for fractional delays",
+        because=r"therefore the boundary starts with $\beta/\alpha=d+\frac12$. Near the origin, "
+        "the linear condition (25) is also valid for fractional delays",
     )

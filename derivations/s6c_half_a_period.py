@@ -31,15 +31,15 @@ def derive(page):
     printed = -(z ** (l + epsilon)) * poles / free.device.numerator
     top = on_circle(free.numerator)
     page.step(
-        "For every fraction $|M|$ is larger than $|N|$",
+        "For every fraction, $|M|$ is larger than $|N|$",
         top * top.xreplace({I: -I}),
         cos(theta / 2) ** 2 + 4 * epsilon**2 * (1 - epsilon) ** 2 * sin(theta / 2) ** 4,
         name="|M|^2",
-        because=r"$|N|^2=\cos^2\frac\theta2$, so that $|Q|\le|Q_p|$",
+        because=r"here $|N|^2=\cos^2\frac\theta2$, so that $|Q|\le|Q_p|$",
     )
     ratio = on_circle(exact / printed)
     page.limit(
-        "The phases of both boundaries differ by a term of third order in the angle",
+        "The phases of the two boundaries differ by a term of third order in the angle",
         (ratio - real_part(ratio)) / (I * theta**3),
         theta,
         S.Zero,
@@ -50,18 +50,18 @@ def derive(page):
     )
     half, c = {epsilon: S.Half}, cos(theta / 2)
     shrinks = page.step(
-        "With a delay of half a period the exact boundary has the smaller wall",
+        "With a delay of half a period the wall of the exact boundary is the smaller one",
         ratio.subs(half),
         2 * c / (1 + c**2),
         name="Q/Q_p",
         because=r"the ratio is positive, and less than 1 as $(1-\cos\frac\theta2)^2>0$",
     )
     page.step(
-        "With a delay of half a period both have the same phase",
+        "With a delay of half a period the two boundaries $Q$ and $Q_p$ have the same phase",
         on_circle(printed.subs(half)) * exp(-I * (l + 1) * theta),
         4 * sin(theta / 2) ** 2 / c,
         name=r"Q_p\,e^{-j(\ell+1)\theta}",
-        because=r"the quotient is positive, so that both have the phase $(\ell+1)\theta$",
+        because=r"the quotient is positive, so that $Q$ and $Q_p$ have the phase $(\ell+1)\theta$",
     )
     page.step(
         "The two boundaries are farthest apart at $\\ell=0$, $\\theta=\\frac\\pi3$",
@@ -72,10 +72,10 @@ def derive(page):
         r"at $\theta=\pi/(2\ell+3)$",
     )
     page.say(
-        "So the exact boundary is slightly closer to the origin. This comparison is for the first "
-        "arcs only. To compare the regions, we deform the exact loop into that of the paper's "
-        r"reading and follow the roots $\zeta=\sqrt z$ with $\Re\zeta>0$. The two polynomials "
-        r"differ by a term that is small near $\zeta=1$:"
+        "So the exact boundary is slightly closer to the origin. This comparison covers the "
+        "first arcs only. To compare the regions, we deform the exact loop into that of the "
+        r"paper's reading and follow the roots $\zeta=\sqrt z$ with $\Re\zeta>0$. The two "
+        r"polynomials differ by a term that is small near $\zeta=1$:"
     )
     polynomial = fractional.characteristic(Parts(False, False)).subs(half)
     wall = (alpha + beta) * z - beta
@@ -100,11 +100,12 @@ def derive(page):
         r"$1-y=q(1-\cos\frac\theta2)^2/(1+\cos^2\frac\theta2)$",
     )
     page.say(
-        "This is impossible if the wall $W$ itself is stable. The phase of a polynomial of degree "
-        r"$n$ with all roots inside increases along the circle at a rate of more than $\frac n2$. "
-        r"At this root $p_1=-(1-y)z^{\ell+2}A/y$, and the phase of $p_1$ rises by "
-        r"$(\ell+3-(1+w)/y)/(1-1/y)$, where $w$ is the rate for $zW$. So $w>\frac12(\ell+2)(1+y)$, "
-        r"which is nearly $\ell+2$. This contradicts the next step:"
+        "Such a root is impossible if the wall $W$ itself is stable. The phase of a polynomial "
+        "of degree $n$ with all roots inside increases along the circle at a rate of more than "
+        r"$\frac n2$. At this root $p_1=-(1-y)z^{\ell+2}A/y$, and the phase of $p_1$ rises by "
+        r"$(\ell+3-(1+w)/y)/(1-1/y)$, where $w$ is the rate for $zW$. So "
+        r"$w>\frac12(\ell+2)(1+y)$, which is nearly $\ell+2$. The next step contradicts this "
+        "inequality:"
     )
     needed = {
         alpha: (sin((l + 2) * theta) - sin((l + 1) * theta)) / sin(theta),
@@ -151,7 +152,7 @@ def derive(page):
         "Some wall is stable in the paper's reading and unstable",
         one_error(),
         because=r"the wall $(\alpha,\beta)=(\tfrac1{15},\tfrac{16}{15})$ lies between the two "
-        r"boundaries for $\ell=0$, and balls around all roots prove both parts",
+        r"boundaries for $\ell=0$, and balls around all roots prove both statements",
     )
     page.state(
         "fractional-half-mass-apart",

@@ -79,8 +79,8 @@ def derive(page):
         det * T**2 * epsilon * rest,
         b * (b - N) - epsilon * rest * square / 4,
         name=r"\varepsilon(1-\varepsilon)T^2\det",
-        because=r"its coefficient of $|q|^2$, $b/(T\varepsilon(1-\varepsilon))$, is positive; the "
-        "second term is the maximal gain by a deviation $q$",
+        because=r"the coefficient of $|q|^2$ in the form, $b/(T\varepsilon(1-\varepsilon))$, is "
+        "positive; the second term is the maximal gain by a deviation $q$",
         boxed=True,
     )
     root = (u + sqrt(u**2 + w)) / 2
@@ -89,16 +89,16 @@ def derive(page):
         root * (root - u) - w / 4,
         S.Zero,
         name=r"\det\big|_{b=\frac12(n+\sqrt{n^2+\varepsilon(1-\varepsilon)T^2|H|^2})}",
-        because="the other solution is not positive, since the product of both solutions is not "
-        "positive",
+        because="the other solution is not positive, since the product of the two solutions is "
+        "not positive",
     )
     page.same("as in the model", margin, fractional.margin())
     page.say(
         r"We ask which angles decide. Let $\psi=\theta/2$. For the wall let $u=KT/(2b)$, "
         r"$w=(B+KT/2)/b$ and $r^2=w^2+u^2\cot^2\psi$. For the delay let "
-        r"$\varrho^2=1-4\varepsilon(1-\varepsilon)\sin^2\psi$. Both $r$ and $\varrho$ fall with "
-        r"$\theta$ if $K\ge0$. The size of the wall is $T|H|=2br\sin\psi$, and "
-        r"$n=br\varrho\cos\varphi$ with some phase $\varphi$. In the next steps $x$ stands for "
+        r"$\varrho^2=1-4\varepsilon(1-\varepsilon)\sin^2\psi$. If $K\ge0$, $r$ and $\varrho$ "
+        r"fall with $\theta$. The size of the wall is $T|H|=2br\sin\psi$, and "
+        r"$n=br\varrho\cos\varphi$ with some phase $\varphi$. In the next steps, $x$ stands for "
         r"$\varrho$."
     )
     page.step(
@@ -127,9 +127,9 @@ def derive(page):
             name=rf"b(b-n)\big|_{{\varepsilon={end}}}",
         )
     page.say(
-        "As for integer delays it is sufficient to consider motions that return to their start if "
-        r"$K\ge0$: a slow return recovers the energy of the spring with arbitrarily little "
-        "dissipation. Also in the case of equality no motion gains energy."
+        r"As for integer delays, it is sufficient for $K\ge0$ to consider motions that return to "
+        "their start. A slow return recovers the energy of the spring with arbitrarily little "
+        "dissipation. In the case of equality, no motion gains energy either."
     )
     found = page.lemma(
         "No motion extracts energy if and only if the determinant is not negative at any angle",

@@ -50,11 +50,11 @@ def derive(page):
         "two parts",
     )
     page.say(
-        "So the energy that damper and wall absorb, the form in $p$ and $q$ of "
-        r"\chapter{s6d_fractional_passivity}, is negative for this motion: equality would require "
-        "a constant speed at all times, that is $z=1$. (For $p=q=0$ the device is at rest.) But "
-        "for a passive wall the form is not negative at any angle. The condition is concave in the "
-        "scale $y$ of a wall $yW$:"
+        "The energy that damper and wall absorb is the form in $p$ and $q$ of "
+        r"\chapter{s6d_fractional_passivity}. So this form is negative for this motion: equality "
+        "would require a constant speed at all times, that is, $z=1$. (For $p=q=0$ the device "
+        "is at rest.) But for a passive wall the form is not negative at any angle. The "
+        "condition is concave in the scale $y$ of a wall $yW$:"
     )
     margin, whole, part = delta**2 - delta * x - w / 4, x, y
     page.step(
@@ -62,13 +62,13 @@ def derive(page):
         delta**2 - part * delta * whole - part**2 * w / 4,
         (1 - part) * delta**2 + part * margin + part * (1 - part) * w / 4,
         name=r"D\big|_{yW}",
-        because=r"$x$ stands for $n$, and $w$ for $\varepsilon(1-\varepsilon)|H|^2$, which is not "
-        "negative",
+        because=r"here $x$ stands for $n$, and $w$ for $\varepsilon(1-\varepsilon)|H|^2$, which "
+        "is not negative",
     )
     page.lemma(
         "A passive wall, and every smaller multiple of it, has no root on the circle except at 1",
         no_crossing(),
-        because=r"$2\Re\bar p\,p_1$ is the sum of the energy dissipated beyond "
+        because=r"the number $2\Re\bar p\,p_1$ is the sum of the energy dissipated beyond "
         r"$\delta(|p|^2+|q|^2/(\varepsilon(1-\varepsilon)))$, of $|p|^2D$ and of a square",
     )
     found = page.lemma(

@@ -60,8 +60,8 @@ def without_stiffness(page, share):
     loss = epsilon * rest * sin(theta / 2) ** 2
     mixed = rest * sin(one) * cos(one) + epsilon * sin(two) * cos(two)
     page.say(
-        "Without stiffness $D$ is quadratic in $B$, and concave. At two dampings $D$ is a sum of "
-        "squares, by the identity of Lagrange:"
+        "Without stiffness, $D$ is quadratic in $B$ and concave. By the identity of Lagrange, "
+        "$D$ is a sum of squares at two dampings:"
     )
     for title, damping, form in (
         ("The damping $-b$ is passive", -b, sin),

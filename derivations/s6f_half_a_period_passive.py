@@ -27,16 +27,17 @@ def derive(page):
         fractional.margin().subs(HALF),
         value,
         name="f(y)",
-        because=r"this is the condition of \chapter{s6d_fractional_passivity} with $b=T=1$. The "
-        r"wall is passive if and only if $K\ge0$ and $f$ is not negative for all $y$ between 0 and "
-        "1. Let $f_2$, $f_1$, $f_0$ be the coefficients of $f$",
+        because=r"the quadratic is the condition of \chapter{s6d_fractional_passivity} with "
+        r"$b=T=1$. The wall is passive if and only if $K\ge0$ and $f$ is not negative for all "
+        "$y$ between 0 and 1. Let $f_2$, $f_1$, $f_0$ be the coefficients of $f$",
     )
     page.step(
         "The condition at low frequencies gives the lower part of the boundary",
         value.subs({y: 1, K: 4 * sqrt(5 + B) - 8}),
         S.Zero,
         name=r"f(1)\big|_{K=4\sqrt{5+B}-8}",
-        because="$f$ is zero on the lower part of the boundary; the paper gives $K=1+B$ instead",
+        because="at low frequencies, $f$ is zero on the lower part of the boundary; the paper "
+        "gives $K=1+B$ instead",
     )
     bend, fall, rest = (expand(value).coeff(y, n) for n in (2, 1, 0))
     double = page.step(
@@ -58,8 +59,8 @@ def derive(page):
         -discriminant(expand(double), B) / 2**22,
         K**6 + 24 * K**5 - 16 * K**4 - 2816 * K**3 + 73472 * K**2 + 694272 * K - 913408,
         name=r"-2^{-22}\,\mathrm{disc}_B\,\bigl(16\,(f_1^2-4f_0f_2)\bigr)",
-        because="this polynomial is the discriminant in $B$ of the discriminant above; it vanishes "
-        "if two values of $B$ coincide",
+        because="the polynomial is the discriminant in $B$ of the previous discriminant; it "
+        "vanishes if two values of $B$ coincide",
     )
     one, two = S.One, Rational(2)
     zeros = ((B, root(end, one, two)), (K, root(tip, one, two)))

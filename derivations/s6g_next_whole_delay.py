@@ -31,7 +31,7 @@ def derive(page):
         need,
         r * sin(N * psi - kappa),
         name=r"b_{\min}\big|_{d=\ell+1}/b",
-        because=r"$\chi=N\psi-\kappa$; for the delay $\ell$ the required damping is "
+        because=r"here $\chi=N\psi-\kappa$; for the delay $\ell$ the required damping is "
         r"$r\sin(\chi-2\psi)$",
     )
     share = (fractional.margin() / b**2).subs(polar).subs(turned)
@@ -48,31 +48,31 @@ def derive(page):
     page.say(
         r"Let the wall be passive at the next integer delay: $r\sin\chi\le1$ at all angles. If "
         r"$\chi\ge\frac\pi2$, consider the smaller angle $\psi'$ with $N\psi'=\frac\pi2+\kappa$. "
-        r"At $\psi'$ the wall requires $\cos\kappa\,u\cot\psi'+w\sin\kappa$. This number is at "
+        r"At $\psi'$ the wall requires $\cos\kappa\,u\cot\psi'+w\sin\kappa$. This damping is at "
         r"least $r$, as $\cot\psi'\ge\cot\psi$. So $r\le1$."
     )
     page.lemma(
         r"The margin is a sum of squares for $\chi\ge\frac\pi2$",
         beyond(room(r)),
-        because="$r\\le1$",
+        because="this case uses $r\\le1$",
     )
     page.lemma(
         r"The margin is a sum of terms that are not negative for $\frac12\psi\le\chi<\frac\pi2$",
         before(room(r * sin(N * psi - kappa))),
-        because="$r\\sin\\chi\\le1$",
+        because="this case uses $r\\sin\\chi\\le1$",
     )
     page.lemma(
         r"The margin is a sum of terms that are not negative for $\chi<\frac12\psi$",
         low(room(r * sin(kappa))),
-        because=r"$\kappa$ lies between $(N-\frac12)\psi$ and $\frac\pi2$. At $N\psi=\pi$ the "
-        r"integer delay requires $w=r\sin\kappa$, so $r\sin\kappa\le1$",
+        because=r"here $\kappa$ lies between $(N-\frac12)\psi$ and $\frac\pi2$. At $N\psi=\pi$ "
+        r"the integer delay requires $w=r\sin\kappa$, so $r\sin\kappa\le1$",
     )
     found = page.lemma(
         "A delay that is rounded up to an integer is safe",
         safe_when_rounded_up(),
-        because="these three cases prove $f\\ge0$ for $K>0$. For $K=0$ the passive values of $B$ "
-        "begin at $-b$ with every delay. They end at $b$ with the next integer delay, and not "
-        "below $b$ with a fractional one",
+        because=r"the previous three steps prove $f\ge0$ for $K>0$. For $K=0$ the passive values "
+        "of $B$ begin at $-b$ with every delay. They end at $b$ with the next integer delay, "
+        "and not below $b$ with a fractional one",
         boxed=True,
     )
     page.state(
@@ -85,7 +85,7 @@ def derive(page):
         "fractional-next-whole",
         found,
         example=(NOTHING, nothing_is_passive()),
-        note="so (5) to (9) and (11) are safe if $d$ is rounded up",
+        note="therefore (5) to (9) and (11) are safe if $d$ is rounded up",
     )
 
 

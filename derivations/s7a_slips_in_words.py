@@ -7,8 +7,8 @@ sections, tables, captions and references show what is meant.
 
 def derive(page):
     page.say(
-        "These entries compare one place of the text with another. They are not theorems and do "
-        "not count as theorems."
+        "The following entries compare one passage of the text with another. They do not count "
+        "as theorems."
     )
     page.say("Section IV is headed Stability. The conclusion is Section VI.")
     page.settle_slip(
@@ -18,8 +18,8 @@ def derive(page):
         "Section IV is Stability, Section VI the Conclusion",
     )
     page.say(
-        "According to the captions, the first panel of Fig. 12 shows the two stiffnesses, and the "
-        "other two panels show their ratio. The captions of these two are identical."
+        "According to the captions, the first panel of Fig. 12 shows the two stiffnesses, and "
+        "the other two panels show their ratio. The captions of these two panels are identical."
     )
     page.settle_slip(
         "s5b-ratio-panels",

@@ -12,7 +12,7 @@ from symhaptic.paper.propositions.slips import END, ENDS, below, within
 def derive(page):
     page.say(
         r"The right side of (30), $\gamma\le\pi^2+\frac14\delta^2$, lies in the interval. Neither "
-        r"end of the interval is right for every $\delta$."
+        r"end point of the interval is the correct bound for every $\delta$."
     )
     page.step(
         r"At $\delta=0.02$ the limit exceeds $\pi^2$ by $0.0001$",
@@ -39,7 +39,7 @@ def derive(page):
         corrected=(r"\gamma\le\pi^2+\tfrac14\delta^2\in[\pi^2,\pi^2+0.0001]",),
         example=beyond,
         unless=[Case(beyond, neither_end())],
-        shows=r"$\delta=0$, $\gamma=\pi^2+0.0001$ is beyond (30)",
+        shows=r"the arm $\delta=0$, $\gamma=\pi^2+0.0001$ violates (30)",
     )
 
 

@@ -1,7 +1,7 @@
 """Is a wall stable whose stiffness is at most twice the damping over the period?
 
-Colgate and Schenkel derived this passivity limit for a wall without virtual damping and delay. Some
-also use the rule for walls with a delay. We ask for which walls it is safe.
+Colgate and Schenkel derived this passivity limit for a wall without virtual damping and delay.
+Some designers also use it as a rule for walls with a delay. We ask for which walls it is safe.
 """
 
 from symhaptic.book.lemmas.circulation import outside, twice_the_damping
@@ -35,7 +35,8 @@ def derive(page):
         found,
         example=still | {d: S.Zero},
         unless={Eq(d, 0): (still | {d: S.One}, outside(late))},
-        shows=r"$m=T=1$, $b=\tfrac12$: the wall $K=2b/T$ is unstable with one period of delay",
+        shows=r"for $m=T=1$ and $b=\tfrac12$, the wall $K=2b/T$ is unstable with one period of "
+        "delay",
         note="without delay the walls of the rule are passive, and stable with every mass and "
         "every arm",
     )

@@ -1,8 +1,8 @@
 """Is a wall stable whose stiffness is below the damping over the delay?
 
-This is the linear condition, the simplest rule for a loop with a delay. In this rule the hold adds
-half a period to $t_d$, and virtual damping counts like the damping of the device. We ask up to
-which virtual damping the rule is safe.
+This bound is the linear condition, the simplest rule for a loop with a delay. In this rule the
+hold adds half a period to $t_d$, and virtual damping counts like the damping of the device. We ask
+up to which virtual damping the rule is safe.
 """
 
 from symhaptic.book.lemmas.circulation import damping_over_delay, outside
@@ -17,14 +17,14 @@ def derive(page):
     found = page.lemma(
         "With little virtual damping a wall that satisfies the rule is stable with every spring",
         damping_over_delay(given[-1]),
-        because="with little virtual damping low frequencies are the strictest for passivity, and "
-        "the rule gives a margin at low frequencies",
+        because="with little virtual damping, the passivity condition is strictest at low "
+        "frequencies, and the rule gives a margin there",
         boxed=True,
     )
     page.say(
-        "More virtual damping raises the bound of the rule, but not the stable stiffness: without "
-        "delay and with $m=T=b=1$ the rule allows $K<8$ for $B=3$, but with this $B$ not even "
-        "$K=1$ is stable."
+        "More virtual damping raises the bound of the rule, but not the stable stiffness. "
+        "Without delay and with $m=T=b=1$ the rule allows $K<8$ for $B=3$, but with this $B$ "
+        "not even $K=1$ is stable."
     )
     wall = {K: S.One, T: S.One, m: S.One, b: S.One, k: S.Zero, d: S.Zero}
     braked = {alpha: S.One, beta: S(3), gamma: S.Zero, delta: S.One, d: S.Zero}
@@ -34,7 +34,8 @@ def derive(page):
         found,
         example=wall | {B: -Rational(1, 10)},
         unless={RANGE: (wall | {B: S(3)}, outside(braked))},
-        shows="$m=T=b=1$ without delay: $B=3$ allows $K<8$, and $K=1$ is unstable",
+        shows="for $m=T=b=1$ without delay, the rule allows $K<8$ with $B=3$, but $K=1$ is "
+        "unstable",
         note="in this range of $B$ the walls are passive, and stable with every mass and every "
         r"arm; without delay the range is $B\le0$",
     )

@@ -1,7 +1,7 @@
 """Is a wall stable whose stiffness is below four or two masses over the squared period?
 
-Both rules depend on the mass and the period only, and not on damping or delay. We test them with
-the simplest device, a free mass without delay.
+The two rules depend only on the mass and the period, and not on damping or delay. We test them
+with the simplest device, a free mass without delay.
 """
 
 from symhaptic.book.lemmas.circulation import NOTHING, never_undamped, outside
@@ -14,7 +14,7 @@ ROOTS = {alpha: S.One, beta: S.Zero, gamma: S.Zero, delta: S.Zero, d: S.Zero}
 
 def derive(page):
     found = page.lemma(
-        "Without any damping no stiffness is stable, however small",
+        "Without any damping, no stiffness is stable, however small",
         never_undamped(),
         because="the hold delays the force of a spring by half a period on average, and a delayed "
         "spring adds energy",

@@ -20,11 +20,11 @@ def derive(page):
     found = page.lemma(
         "A free mass is stable below a stiffness that depends on the virtual damping",
         damped_contact(right),
-        because="the last inequality is this limit, and the others follow from it",
+        because="the last inequality is this limit, and the other inequalities follow from it",
         boxed=True,
     )
     page.say(
-        "As published the rule subtracts a damping, $B^2T/(2m)$, from a stiffness, so that the "
+        "As published, the rule subtracts a damping, $B^2T/(2m)$, from a stiffness, so that the "
         "result depends on the unit of time. Even with $B^2/(2m)$, which has the unit of a "
         "stiffness, the rule allows unstable walls:"
     )
@@ -44,5 +44,5 @@ def derive(page):
         misprint=False,
         example=WALL | {K: S.Half},
         unless=[(WALL, outside(driven))],
-        shows="$m=T=B=1$: $K=1$ is allowed, and the limit is $\\tfrac23$",
+        shows=r"for $m=T=B=1$, the rule allows $K=1$, but the limit is $\tfrac23$",
     )

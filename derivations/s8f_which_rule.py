@@ -1,7 +1,7 @@
 """Which rule should one use, and when?
 
 The table lists the rules of this part and the exact limits, ordered by the parameters that they
-require. All of them are for $K>0$, and each is safe in the stated range.
+require. All rules are for $K>0$, and each rule is safe in the stated range.
 """
 
 from symhaptic.book.lemmas.prelude import *

@@ -31,13 +31,13 @@ def derive(page):
     page.same("m_2", first, late.m2.xreplace(GIVEN))
     page.same("m_0", last, late.m0.xreplace(GIVEN))
     page.say(
-        "At $z=-1$ the numerator $M$ is $m_2-m_1+m_0$, in which large numbers can cancel. The "
-        "program computes this value from both parts of the period. Let $x$ be the displacement "
-        "under a force, $y$ the further displacement, $g$ their difference, and $k$ the impulse "
-        "response. The index 1 stands for the rest of the period and 2 for its beginning. Let "
-        r"$L_1=1-e^{-\delta(1-\varepsilon)}$ be the loss of speed in the rest of the period. The "
-        r"value at $-1$ is $g_1-g_2+y_1(\delta k_2+\gamma x_2)-L_1y_2+\gamma x_1x_2-2k_1k_2$. If "
-        "$M$ nearly vanishes at $-1$, each of these terms is small."
+        "At $z=-1$ the numerator $M$ is $m_2-m_1+m_0$, a sum in which large terms can cancel. "
+        "The program computes this value from both parts of the period. Let $x$ be the "
+        "displacement under a force, $y$ the further displacement, $g$ their difference, and "
+        "$k$ the impulse response. The index 1 stands for the rest of the period and 2 for its "
+        r"beginning. Let $L_1=1-e^{-\delta(1-\varepsilon)}$ be the loss of speed in the rest of "
+        r"the period. The value at $-1$ is $g_1-g_2+y_1(\delta k_2+\gamma x_2)-L_1y_2+\gamma "
+        "x_1x_2-2k_1k_2$. If $M$ nearly vanishes at $-1$, each of these terms is small."
     )
     gap, across = (LATE.block.written_out()[place] for place in (3, 5))
     page.same("gap", gap.left, gap.right)
@@ -51,11 +51,11 @@ def derive(page):
     page.same("the gap near odd multiples of pi", turned.left, turned.right)
     page.say(
         r"The boundary also contains the difference of $m_2$ and $m_0$. If $\omega_dT$ is near a "
-        r"multiple of $2\pi$, both are nearly equal, and their small difference matters at low "
-        "frequencies. Let $k$ be the impulse response of the whole period, and $L=1-e$. The "
-        r"program computes $2(m_2-m_0)$ as $k(2k_1+\delta x_1)+(1-a+e+L)x_1-2n_0$. All terms of "
-        r"this sum are small near the multiples of $2\pi$: without damping $k$, $1-a+e$, $n_0$ and "
-        "$L$ are zero at the multiples."
+        r"multiple of $2\pi$, $m_2$ and $m_0$ are nearly equal, and their small difference "
+        "matters at low frequencies. Let $k$ be the impulse response of the whole period, and "
+        r"$L=1-e$. The program computes $2(m_2-m_0)$ as $k(2k_1+\delta x_1)+(1-a+e+L)x_1-2n_0$. "
+        r"All terms of this sum are small near the multiples of $2\pi$: without damping $k$, "
+        "$1-a+e$, $n_0$ and $L$ are zero at the multiples."
     )
     page.same("across", across.left, across.right)
     settle(
@@ -68,10 +68,10 @@ def derive(page):
         f"{UNDEFINED}",
     )
     page.say(
-        "For any delay, the program counts the roots from the angles at which device and wall have "
-        r"the same size. These angles do not depend on the delay (\chapter{s4d_roots_counted}). "
-        "This chapter proves that the inputs of the count are right. Tests compare the result of "
-        "the count with enclosed roots."
+        "For any delay, the program counts the roots by means of the angles at which device and "
+        "wall have the same size. These angles do not depend on the delay "
+        r"(\chapter{s4d_roots_counted}). This chapter proves that the inputs of the count are "
+        "correct. Tests compare the result of the count with enclosed roots."
     )
     settle(
         page,

@@ -57,9 +57,9 @@ def derive(page):
         )
     page.say(
         r"The wall is then $\beta=-(p\,\mathrm{SinNext}+q\,\mathrm{CosNext})/\sin\theta$ and "
-        r"$\alpha=q\,\mathrm{SinNext}-p\,\mathrm{CosNext}-\beta\sin\theta\tan(\theta/2)$. For the "
-        r"derivative another form with $r=q/(\cos(\theta/2)\sin(\theta/2))$ avoids a quotient that "
-        "is 0/0 at the angle 0. The theorem proves both forms."
+        r"$\alpha=q\,\mathrm{SinNext}-p\,\mathrm{CosNext}-\beta\sin\theta\tan(\theta/2)$. For "
+        r"the derivative another form with $r=q/(\cos(\theta/2)\sin(\theta/2))$ avoids a "
+        "quotient that is 0/0 at the angle 0. The theorem proves the two forms."
     )
     settle(
         page,

@@ -28,12 +28,12 @@ def derive(page):
     page.say(
         "The search computes the slope times a positive number as a sum of products. The sum "
         "contains the values $A_1$, $A_2$, $M_1$ and $M_2$ of $A$ and $M$ at 1 and $-1$, and "
-        "$L=1-e$. A quotient would be 0/0 at the start of the boundary. A search with differences "
-        "of two stiffnesses would lose half of the digits at the maximum, since both stiffnesses "
-        "are nearly equal there. For delays of less than one period the slope is a polynomial in "
-        "$t^2$, and its coefficients contain no sines. Tests with whole regions show that the "
-        "first zero of the slope is the point of maximum stiffness of the stable region. For some "
-        r"devices \chapter{s5b_stiffest_wall} proves this."
+        "$L=1-e$. A quotient would be 0/0 at the start of the boundary. A search with "
+        "differences of two stiffnesses would lose half of the digits at the maximum, since the "
+        "two stiffnesses are nearly equal there. For delays of less than one period the slope "
+        "is a polynomial in $t^2$, and its coefficients contain no sines. Tests with whole "
+        "regions show that the first zero of the slope is the point of maximum stiffness of the "
+        r"stable region. For some devices \chapter{s5b_stiffest_wall} proves this."
     )
     c, tangent, bottom = cos(theta / 2), tan(theta / 2), on_circle(z**2 - a * z + e)
     page.step(
@@ -41,7 +41,7 @@ def derive(page):
         bottom * bottom.xreplace({I: -I}),
         c**4 * ((1 - a + e - (1 + a + e) * tangent**2) ** 2 + 4 * tangent**2 * (1 - e) ** 2),
         name="|A|^2",
-        because="$|M|^2$ is a positive expression in $M_1$, $M_2$ and $m_2-m_0$",
+        because="here $|M|^2$ is a positive expression in $M_1$, $M_2$ and $m_2-m_0$",
     )
     settle(
         page,

@@ -1,8 +1,8 @@
 """The computed required damping equals the derived one
 
-The required damping at an angle is a quotient of sines that is 0/0 at the angle 0, and its slope is
-a difference of such quotients. The program computes both with functions that have no pole at the
-angle 0. It does not round the product of angle and delay.
+The required damping at an angle is a quotient of sines that is 0/0 at the angle 0, and its slope
+is a difference of such quotients. The program computes the damping and its slope with functions
+that have no pole at the angle 0. It does not round the product of angle and delay.
 """
 
 from symhaptic.book.lemmas.computed import settle, upright
@@ -36,7 +36,7 @@ def derive(page):
     for of, title in TURNED:
         page.define(title, upright(of(d, theta)), of.definition(d, theta))
     page.say(
-        "At the angle 0 the value of each function is its limit. The numerators of the last two "
+        "At the angle 0, the value of each function is its limit. The numerators of the last two "
         "functions are differences of sines that cancel up to the third power of the angle. At "
         r"$\theta=10^{-5}$ such a difference would keep none of sixteen digits."
     )
@@ -55,13 +55,13 @@ def derive(page):
 
 def _at_an_angle(page):
     page.say(
-        "For an integer delay (5) gives the margin at one angle. The margin contains the sine of "
-        r"$(d+\frac12)\theta$. The program computes it as the sine of $2d+1$ half angles and does "
-        "not round this product:"
+        "For an integer delay, (5) gives the margin at each angle. The margin contains the sine "
+        r"of $(d+\frac12)\theta$. The program computes this sine from $2d+1$ and half the angle "
+        "and does not round their product:"
     )
     margin = passivity.margin().xreplace(UNITS)
     page.step(
-        "The margin at an angle contains two functions",
+        "In the margin at an angle, stiffness and damping are each multiplied by one function",
         margin,
         delta
         - alpha * upright(SinNext(2 * d, theta / 2)) / (2 * sin(theta / 2))
@@ -96,9 +96,9 @@ def _at_an_angle(page):
 def _at_the_worst(page):
     page.say(
         r"A search finds the worst angle, which may be 0. Let $\psi=\theta/2$. The required "
-        "damping for $q=0$ contains a quotient of two values of Sinc. Its derivative with respect "
-        r"to $\psi$ is $\psi$ times a number that does not vanish with the angle. So the program "
-        "computes the sign of the derivative accurately, also near 0:"
+        "damping for $q=0$ contains a quotient of two values of Sinc. Its derivative with "
+        r"respect to $\psi$ is $\psi$ times a number that does not vanish with the angle. So the "
+        "program computes the sign of the derivative accurately, even near 0:"
     )
     whole = straight(l)
     page.step(

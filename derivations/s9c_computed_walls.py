@@ -2,7 +2,7 @@
 
 The formulas for the envelope of the passive walls, for the passive wall of maximum stiffness and
 for the linear condition are quotients whose denominators vanish with the angle. The program uses
-quotients of functions that do not vanish with the angle.
+quotients of functions that do not vanish at the angle 0.
 """
 
 from symhaptic.book.lemmas.computed import settle, upright
@@ -47,7 +47,7 @@ def derive(page):
         "damping and its slope",
     )
     page.say(
-        r"The stiffest of these walls has the angle $\theta=\pi/(2(d+1))$, at which "
+        r"The stiffest wall of the boundary has the angle $\theta=\pi/(2(d+1))$, at which "
         r"$\cos(d+1)\theta$ vanishes. The stiffness of this wall is a tangent, and its damping is "
         "a difference without cancellation:"
     )
@@ -59,10 +59,11 @@ def derive(page):
     )
     page.say(
         "With a fractional delay each angle bounds the stiffness "
-        r"(\chapter{s6f_stiffest_passive_wall}), and the wall with the smallest of these bounds is "
-        r"computed. Near integer delays $1-S$, $C$ and $\varepsilon(1-\varepsilon)$ vanish "
-        "together at this wall. The program therefore uses quantities that do not vanish. At the "
-        "angle at which the slope of the bound vanishes:"
+        r"(\chapter{s6f_stiffest_passive_wall}), and the wall with the smallest of these bounds "
+        r"is computed. Near integer delays $1-S$, $C$ and $\varepsilon(1-\varepsilon)$ vanish "
+        "together at this wall. The program therefore uses quantities that do not vanish. A "
+        "search finds the angle with the smallest bound, at which the slope of the bound "
+        "vanishes."
     )
     settle(
         page,

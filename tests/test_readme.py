@@ -23,7 +23,7 @@ def counted():
         "slips": r"(\w+) are errors in the text",
         "undecided": r"(\w+) are undecided",
         "rules": r"(\w+) rules of thumb",
-        "record": r"(\w+) statements of a design record",
+        "record": r"(\w+) statements of a public design record",
         "own": r"and (\w+) statements of our own",
         "computed": r"(\w+) of these say that the functions",
         "refused": r"([\d ]+) changes were refused",

@@ -246,4 +246,9 @@ def test_the_stiffness_of_the_envelope_rises_and_falls():
             assert np.all(np.diff(values[:50]) > 0)
             assert np.all(np.diff(values[49:]) < 0)
 
-    agrees(shown("s3b_rise", "The envelope's stiffness has this form"))
+    agrees(
+        shown(
+            "s3b_rise",
+            "The normalised stiffness $U=KT/(2b)$ on the envelope is a quotient of sines",
+        )
+    )

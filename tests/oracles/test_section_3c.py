@@ -87,7 +87,8 @@ def test_damping_over_delay_is_the_limit_of_low_frequencies():
         agrees,
         shown(
             "s3c_linear_part_condition",
-            "Solved for the stiffness, the line is the damping divided by the delay",
+            "Solved for the stiffness, the equation of the line is the total damping divided by "
+            "the total delay",
         ),
         kept=("T",),
     )

@@ -154,8 +154,8 @@ def test_the_start_without_a_spring_and_its_gap_with_one():
                 assert abs(found / value(slope, delta=delta, d=d) - 1) < 1e-12
 
     titles = (
-        r"Without a spring $s_1$ is the damping $\delta$",
-        "Without a spring the boundary starts at $(0,-\\delta)$ with the slope",
+        r"Without a spring, $s_1$ is the damping $\delta$",
+        "Without a spring, the boundary starts at $(0,-\\delta)$ with an explicit slope",
     )
     only(agrees, *(shown(ENDS, title) for title in titles))
     gamma, delta = mpmath.mpf("0.001"), mpmath.mpf("0.02")
@@ -212,7 +212,7 @@ def test_the_boundary_without_damping():
     titles = [r"One function contains the stiffness $\gamma$"]
     titles += [
         "The boundary of an undamped device has one stiffness at each angle",
-        "A sine gives the damping on the boundary",
+        "The damping on the boundary is a multiple of a sine",
     ]
     only(agrees, *(shown(UNDAMPED, title) for title in titles))
 
@@ -255,7 +255,7 @@ def test_both_ends_of_the_boundary_without_damping():
             assert abs(value(both, d=d, theta=theta) - (alpha + 2 * beta) / gamma) < 1e-45
 
     titles = (
-        r"The stiffness stays finite if $\Omega$ is an odd multiple of $\pi$, that is for $x=-1$",
+        r"The stiffness stays finite if $\Omega$ is an odd multiple of $\pi$, that is, for $x=-1$",
         "For $x=-1$ the damping also stays finite",
     )
     only(agrees_at_half_swings, *(shown(UNDAMPED, title) for title in titles))

@@ -106,7 +106,7 @@ def test_with_a_delay_the_spring_is_a_visible_part_of_the_width():
                 assert abs(value(along, **at) - alpha) < 1e-45
                 assert abs(value(across, **at) - beta) < 1e-45
 
-    title = "With a delay one wall at each angle has a zero of the loop at $e^{j\\theta}$"
+    title = "With a delay, one wall at each angle gives the loop a pole at $e^{j\\theta}$"
     wall = said(FIGURE_9, title).conclusion.of[1].parts
     only(agrees, *(solved(wall, name) for name in ("alpha", "beta")))
     for d, bound, high in ((1, 0.17, 0.8), (2, 0.08, 0.5)):

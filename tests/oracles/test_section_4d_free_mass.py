@@ -170,7 +170,7 @@ def test_the_largest_stiffness_of_a_damped_mass_by_a_search():
             numbers = oracle.named(0, delta)
             assert number(formula, **numbers) == pytest.approx(alpha, rel=1e-10)
 
-    only(agrees, meant(DAMPED, "The largest stiffness has a closed form"))
+    only(agrees, meant(DAMPED, "The largest stable stiffness has a closed form"))
 
 
 @guards("s4d_mass_with_damper")

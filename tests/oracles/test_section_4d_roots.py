@@ -117,7 +117,7 @@ def test_without_a_spring_one_quadratic_says_which_part_is_larger():
     titles = (
         "The surplus $|A|^2-|NW|^2$ of the plant is a quadratic",
         "At $z=1$ the wall dominates",
-        "At $z=-1$ both terms are real",
+        "At $z=-1$ the terms of plant and wall are real",
         "The curvature of the quadratic is bounded by its value at $z=1$",
         "The real part of $A/z$ is negative",
     )
@@ -219,6 +219,6 @@ def test_how_fast_a_root_leaves():
 
     only(
         agrees,
-        shown(MARGIN, "With growing delay a root on the circle moves outwards if $w$ is positive"),
+        shown(MARGIN, "With growing delay, a root on the circle moves outwards if $w$ is positive"),
         by=0.15,
     )

@@ -35,7 +35,9 @@ def test_hurwitz_determinant_is_the_product_of_sums_of_roots():
                 at = {"m": m, "b": b, "k": k, "K": K, "B": B, "t_e": t_e}
                 assert number(determinant, **at) == pytest.approx(found, rel=1e-9)
 
-    only(agrees, shown(LAG, "Hurwitz' determinant of this loop is (24) plus one term"))
+    only(
+        agrees, shown(LAG, "Hurwitz' determinant of this loop is the margin of (24) plus one term")
+    )
 
 
 @guards("s4e_lag")
@@ -113,7 +115,7 @@ def test_the_boundary_beside_the_line_at_its_start_and_for_short_periods():
 
     only(
         agrees,
-        shown(LINE, r"At the start of the boundary $\Delta$ is minus the gap"),
+        shown(LINE, r"At the start of the boundary, the surplus $\Delta$ is minus the gap"),
         shown(LINE, "The initial slope of the boundary is smaller than that of the line"),
     )
 
@@ -244,7 +246,9 @@ def test_walls_of_the_linear_condition_below_the_crossing_are_stable(d):
             found = crossing(1e-12, delta, d) * (d + 0.5) - delta
             assert number(damping, delta=delta, d=d) == pytest.approx(found, rel=1e-3)
 
-    title = r"For short periods the crossing is at a multiple of $\delta$"
+    title = (
+        r"For short periods, the damping $\beta_\times$ of the crossing is a multiple of $\delta$"
+    )
     kept = () if d else ("d",)
     only(agrees, shown("s4e_line_unstable_below", title), by=0.05, kept=kept)
 

@@ -205,10 +205,10 @@ def test_exact_and_printed_walls_of_a_root():
             assert abs(value(phase, epsilon=late) - found) < 1e-20
 
     titles = (
-        "For every fraction $|M|$ is larger than $|N|$",
-        "With a delay of half a period the exact boundary has the smaller wall",
-        "With a delay of half a period both have the same phase",
-        "The phases of both boundaries differ by a term of third order in the angle",
+        "For every fraction, $|M|$ is larger than $|N|$",
+        "With a delay of half a period the wall of the exact boundary is the smaller one",
+        "With a delay of half a period the two boundaries $Q$ and $Q_p$ have the same phase",
+        "The phases of the two boundaries differ by a term of third order in the angle",
     )
     only(agrees, *(shown(HALF, title) for title in titles))
 

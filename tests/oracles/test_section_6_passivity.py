@@ -202,7 +202,7 @@ def test_no_motion_lets_a_passive_wall_be_stiffer_than_an_angle_allows():
             found = number(slope, theta=theta, **at) / np.sin(theta) ** 2
             assert found == pytest.approx((near[1] - near[0]) / 2e-5, rel=1e-6)
 
-    titles = (r"The squares of both means add up to $1-4\kappa\sin^2\psi$",
+    titles = (r"The squares of the two means add up to $1-4\kappa\sin^2\psi$",
               "The slope of the bound has the sign of a sum")  # fmt: skip
     only(turns, *(shown(WALLS, title) for title in titles))
 

@@ -57,7 +57,7 @@ def limits(
     ] = None,
     chart: Annotated[
         bool,
-        typer.Option("--chart", help="Also give the limits over the damping B, the K-B chart."),
+        typer.Option("--chart", help="Also give the limits for many dampings B, the K-B chart."),
     ] = False,
 ) -> None:
     """Print the limits of stable and passive walls for a device.

@@ -26,7 +26,7 @@ more damping is stable."""
 
 
 class Chart(NamedTuple):
-    """Limits over the damping; NaN where no stiffness is stable or passive."""
+    """Limits against the damping; NaN where no stiffness is stable or passive."""
 
     B: NDArray[np.float64]
     """Virtual damping in Ns/m, or N m s/rad of a rotary device."""

@@ -109,14 +109,14 @@ def calls(rows: list[Row]) -> Table:
             cells.append(f"{call}: {nanoseconds(seconds)}" if call else "-")
         found.append(tuple(cells))
     says = (
-        "The table gives the fastest call with at most this error, and its time per value. The "
-        "error is the largest one over all ordinary and hard parameters, relative to the largest "
-        "term of the result. No result is NaN. C is exported code, and digits= is an argument of "
-        "the function. lambdify makes the functions for float32 and for mpmath, here with the "
-        "given number of digits."
+        "The table gives, for each error, the fastest call that does not exceed it, and the time "
+        "per value. The error is the largest one for all ordinary and hard parameters, relative to "
+        "the largest term of the result. No result is NaN. C stands for exported C code, and "
+        "digits= for this argument of the function. The functions for float32 and for mpmath, here "
+        "with the given number of digits, are made by lambdify."
     )
     head = ("function", *(f"to {_power(most)}" for most in ERRORS))
-    return Table("For this error, take this call", head, tuple(found), len(head), says)
+    return Table("Fastest call for a given error", head, tuple(found), len(head), says)
 
 
 def _keeps(row: Row, most: float) -> bool:
@@ -144,16 +144,22 @@ def judges(rows: list[Row]) -> Table:
         seconds, call = min(good, default=(0.0, "-"))
         found.append((_power(distance), call, nanoseconds(seconds) if good else "-"))
     says = (
-        "The table gives the fastest call with a correct verdict for all walls at this relative "
-        "distance from the boundary. The time is per wall, for the slowest delay."
+        "The table gives the fastest call whose verdict is correct for all walls at this relative "
+        "distance from the boundary. The time is per wall, for the delay at which the call is "
+        "slowest."
     )
     head = ("distance", "call", "time")
-    return Table("For this distance, take this call", head, tuple(found), 2, says)
+    return Table("Fastest call for a given distance", head, tuple(found), 2, says)
 
 
 def words(name: str) -> str:
-    """A function's name in words."""
-    return name.replace("_", " ")
+    """A function's name in words.
+
+    >>> words("max_passive_stiffness"), words("passivity_margin_at")
+    ('largest passive stiffness', 'passivity margin at one angle')
+    """
+    shown = f"{name}_one_angle" if name.endswith("_at") else name
+    return shown.replace("max_", "largest_").replace("_", " ")
 
 
 def chosen(rows: Iterable[Row], **fields: Any) -> list[Row]:
@@ -264,7 +270,7 @@ def _times(rows: list[Row]) -> Table:
     for delay in _names(rows, "delay"):
         at = {r["method"]: r for r in chosen(rows, delay=delay)}
         found.append((f"{delay}", *(nanoseconds(at[m]["seconds"]) for m in methods)))
-    says = "Time per wall over the delay in periods, for given parameters of the plant."
+    says = "Time per wall against the delay in periods, for given parameters of the plant."
     return Table("Time of a stability test", ("d", *methods), tuple(found), 1, says)
 
 
