@@ -13,7 +13,10 @@ from symhaptic.export.microcontroller import COMPILER, CORTEX_M4, KINDS, LEAN, S
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms import stable
 
-CONTROLLER = ["is_stable", "max_stable_stiffness", "max_passive_stiffness", "stability_boundary"]
+CONTROLLER = [
+    "is_stable", "delay_margin", "max_stable_stiffness", "max_passive_stiffness",
+    "stability_boundary",
+]  # fmt: skip
 BUILD = [COMPILER, "-std=c99", *CORTEX_M4, *LEAN]
 
 STARTUP = """/* Two vectors, and a reset that switches the floating point unit on. */
@@ -59,6 +62,7 @@ volatile float given = 0.1f, found[3];
 int main(void) {
     float a, b, t;
     found[0] = haptic_is_stable(given, given, given, given, given);
+    found[1] = haptic_delay_margin(given, given, given, given, given);
     haptic_max_stable_stiffness(given, given, given, &a, &b, &t), found[0] = a + b + t;
     haptic_max_passive_stiffness(given, given, &a, &b, &t), found[1] = a + b + t;
     haptic_stability_boundary(given, given, given, given, &a, &b), found[2] = a + b;
@@ -146,7 +150,8 @@ inline C atan2f(C x, C y) { ++C::functions; return std::atan2(x.value, y.value);
 def test_no_function_takes_more_operations_than_the_readme_says(tmp_path):
     """All are counted where the self-test goes, with a float that counts; the bounds are near."""
     needs("g++")
-    made, files = request.built(TARGETS["microcontroller"], request.chosen([], delay=2))
+    forms = [*request.chosen([], delay=2), *request.chosen(["delay_margin"])]
+    made, files = request.built(TARGETS["microcontroller"], forms)
     source = files["haptic.c"].partition("// exp(x), without errno")[2].partition("\n}\n")[2]
     source = source.replace("#if defined(FP_FAST_FMAF)", "#if 0 && defined(FP_FAST_FMAF)")
     sampled = files["haptic.h"].partition("typedef")[1:]

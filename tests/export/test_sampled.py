@@ -22,9 +22,9 @@ ROOM = ctypes.c_double * 32
 class Exported:
     """The functions of an export, called from here."""
 
-    def __init__(self, folder, precision, words=()):
+    def __init__(self, folder, precision, words=(), names=("is_stable", "unstable_roots")):
         needs("gcc")
-        forms = request.chosen(["is_stable", "unstable_roots"], *words)
+        forms = request.chosen(names, *words)
         language = TARGETS["c"].at(PRECISIONS[precision])
         _, files = request.built(language, forms, vectors=False)
         self.header = files["haptic.h"]
@@ -34,7 +34,7 @@ class Exported:
         command = ["gcc", *flags, "haptic.c", "-o", "haptic.so", "-lm"]
         subprocess.run(command, cwd=folder, check=True)
         self.library = ctypes.CDLL(str(folder / "haptic.so"))
-        self.kind, self.float = KINDS[precision]
+        self.precision, (self.kind, self.float) = precision, KINDS[precision]
 
     def function(self, name):
         found = getattr(self.library, f"haptic_{name}")

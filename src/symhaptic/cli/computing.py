@@ -218,6 +218,7 @@ def export(
     """Write formulas as source code that needs nothing else, with test vectors and a self-test."""
     from symhaptic.export import request
     from symhaptic.export.language import Refused
+    from symhaptic.export.sampled import MARGIN
     from symhaptic.export.targets import TARGETS
     from symhaptic.forms.stable import FOR_ONE_DELAY
 
@@ -227,6 +228,8 @@ def export(
         forms = request.chosen(formulas or [], parts, delay, by, whole_delays)
         if listing:
             only_listed(output=output, target=target, precision=precision)
+            if not formulas and parts.delay:
+                forms += request.chosen([MARGIN], parts)
             for form in forms:
                 args = ", ".join(symbol.name for symbol in form.arguments)
                 typer.echo(f"{form.name}({args})\n    {form.title}")

@@ -665,8 +665,8 @@ class C(Family):
         wall = [own for s, own in at.items() if s not in library.sampled[0].arguments]
         name = f"{library.name}_device"
         return (
-            f"; {name}_init({', '.join(['&sampled', *device])}); different += got[0] != "
-            f"{name}_{routine.name}({', '.join(['&sampled', *wall])})"
+            f"; {name}_init({', '.join(['&sampled', *device])}); different += !isnan(got[0]) && "
+            f"got[0] != {name}_{routine.name}({', '.join(['&sampled', *wall])})"
         )
 
     def commands(self, name: str) -> list[list[str]]:

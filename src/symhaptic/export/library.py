@@ -18,7 +18,7 @@ from symhaptic.export.precision import DOUBLE, SINGLE, Precision
 from symhaptic.export.routine import Library, Routine, calls, needs, operations
 from symhaptic.export.routines import ROUTINES
 from symhaptic.export.routines.arithmetic import two_prod_error
-from symhaptic.export.sampled import apart, with_verdict
+from symhaptic.export.sampled import apart, sampled_at, with_verdict
 from symhaptic.forms.stable import Form
 
 
@@ -96,6 +96,7 @@ def library(
     own = {}
     if target.operations["TwoProdError"].startswith("two_prod_error("):
         own["TwoProdError"] = two_prod_error.make(target.precision)
+    own |= sampled_at(forms, target.precision)
     ordered: dict[str, Routine] = {}
 
     def add(wanted: Routine) -> None:

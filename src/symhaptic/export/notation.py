@@ -41,6 +41,7 @@ from symhaptic.export.routine import (
     fresh,
     names,
     routine_name,
+    with_named_bases,
 )
 
 Pair = tuple[Expr, Expr]
@@ -68,8 +69,12 @@ class Steps:
     def __call__(self, name: str, expr: Expr) -> Symbol:
         """The step ``name = expr``."""
         symbol = self.fresh(name)
-        self.done.append((symbol, sp.sympify(expr)))
+        self.done.append((symbol, self._named(expr)))
         return symbol
+
+    def _named(self, expr: Expr) -> Expr:
+        bases = (self.fresh("base") for _ in count())
+        return with_named_bases(sp.sympify(expr), self.done, bases)
 
     def repeat(
         self,
@@ -126,7 +131,8 @@ class Steps:
         """The expressions made of steps for what they have in common."""
         fresh = (self.fresh("t") for _ in count())
         steps, results = sp.cse(exprs, symbols=fresh, order="canonical")
-        self.done += steps
+        for name, expr in steps:
+            self.done.append((name, self._named(expr)))
         return list(results)
 
     def nonzero(self, value: Expr) -> Symbol:
@@ -148,7 +154,7 @@ class Steps:
     ) -> Routine:
         """The routine of these steps, of one result or of several with their names."""
         results = result if isinstance(result, dict) else {name: result}
-        found = tuple((own, sp.sympify(expr)) for own, expr in results.items())
+        found = tuple((own, self._named(expr)) for own, expr in results.items())
         steps = tuple(self.done)
         return Routine(name, about, arguments, steps, found, record=record, takes=takes)
 

@@ -167,6 +167,7 @@ _RESULTS = {
     "beta": ("B", "of.m/of.T"),
     "theta": ("omega", "1/of.T"),
     "margin": ("b", "of.m/of.T"),
+    "added": ("t", "of.T"),
     "stable": ("", ""),
     "verdict": ("", ""),
     "roots": ("", ""),

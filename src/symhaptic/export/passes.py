@@ -30,6 +30,7 @@ from symhaptic.export.routine import (
     propagated,
     replaced,
     rewritten,
+    with_named_bases,
 )
 from symhaptic.forms import fractional_delay
 from symhaptic.forms.entire import DEVICE, CosNext, Entire, Kick, PlantN0, PlantN1, SinNext
@@ -58,8 +59,8 @@ def of_form(form: Form, precision: Precision = DOUBLE) -> Routine:
         if expr.is_Pow and expr.exp == -1 and (expr.base.is_Function or _is_count(expr.base)):
             # a product with what is rounded already would be rounded twice
             inverse[name], expr = 1 / name, expr.base
-        done.append((name, _with_named_bases(expr.xreplace(inverse), done, fresh)))
-    found = together([_with_named_bases(e.xreplace(inverse), done, fresh) for e in results])
+        done.append((name, with_named_bases(expr.xreplace(inverse), done, fresh)))
+    found = together([with_named_bases(e.xreplace(inverse), done, fresh) for e in results])
     names = [name for name, _ in form.results]
     results = tuple(zip(names, found, strict=True))
     within = tuple(map(precision.at, form.within))
@@ -106,21 +107,6 @@ def _apart(exprs: tuple[Expr, ...]) -> tuple[list[Expr], Callable[[list[Expr]], 
 
     sides = [side(e, k) for k in (0, 1) for e in exprs]
     return [*sides, first.lhs], together
-
-
-def _by_size(expr: Expr) -> tuple[int, object]:
-    return sp.count_ops(expr), sp.default_sort_key(expr)
-
-
-def _with_named_bases(expr: Expr, done: list[Step], fresh: Iterable[Symbol]) -> Expr:
-    """Powers of symbols only, so that a product does not compute its factor twice."""
-    for power in sorted(expr.atoms(sp.Pow), key=_by_size):
-        base, exponent = power.args
-        if exponent.is_Integer and abs(exponent) > 1 and not base.is_Symbol:
-            name = next(iter(fresh))
-            done.append((name, base))
-            expr = expr.xreplace({power: name**exponent})
-    return expr
 
 
 # -- Routines that begin alike, as one: what they find from the same arguments is found together -

@@ -16,6 +16,7 @@ from symhaptic.export.precision import PRECISIONS
 from symhaptic.export.readme import readme
 from symhaptic.export.rounding import goals
 from symhaptic.export.routine import Library
+from symhaptic.export.sampled import MARGIN, delay_margin
 from symhaptic.export.targets import TARGETS
 from symhaptic.export.vectors import text as test_vectors
 from symhaptic.forms import stable
@@ -29,6 +30,8 @@ TITLE = "Passivity and stability of haptic walls"
 
 LISTING = "FILES"
 """Name of the file that lists all files of an export: only these may be replaced."""
+
+LISTED = "`symhaptic export --list` lists all"
 
 _LONGEST = 6
 """Periods up to which a polynomial is written out."""
@@ -134,10 +137,13 @@ def _all_differentiated(every: list[Form], by: Sequence[str]) -> list[Form]:
 def _by_name(name: str, parts: Parts, delay: int | None) -> Form:
     known = {id: own for own, ids in stable.STATEMENTS.items() for id in ids}
     own = known.get(name, name)
+    if own == MARGIN:
+        with _refused("FORMULA"):
+            return delay_margin(stable.form("is_stable", parts))
     if re.fullmatch(r"eq([1-9]|[12]\d|3[01])", own):
         raise Refused(f"FORMULA: {stable.without_form(own)}")
     if own not in stable.FORMS:
-        close = suggested(name, [*stable.FORMS, *known], "`symhaptic export --list` lists all")
+        close = suggested(name, [*stable.FORMS, MARGIN, *known], LISTED)
         raise Refused(f"FORMULA: {name!r} has no stable form; {close}")
     with _refused("FORMULA"):
         return stable.form(own, parts, delay)
@@ -155,6 +161,8 @@ def built(
     taken = {"selftest", "example", "main", "python", "numpy", *(form.name for form in forms)}
     if language.reserves(name) or name in taken | language.modules:
         raise Refused(f"--name {name}: is reserved in {language.title}; give another word")
+    if MARGIN in {form.name for form in forms} and not language.samples:
+        raise Refused(f"{MARGIN}: is exported in C only; leave it out")
     made = library(name, TITLE, forms, language)
     files = language.source(made)
     if not vectors:

@@ -279,6 +279,21 @@ def choose(condition: Boolean, yes: Expr, no: Expr) -> Expr:
     return Piecewise((sp.sympify(yes), condition), (sp.sympify(no), True))
 
 
+def with_named_bases(expr: Expr, done: list[Step], fresh: Iterator[Symbol]) -> Expr:
+    """Powers of symbols only, as the base of a power is written more than once."""
+    for power in sorted(expr.atoms(sp.Pow), key=_by_size):
+        base, exponent = power.args
+        if exponent.is_Integer and abs(exponent) > 1 and not base.is_Symbol:
+            name = next(fresh)
+            done.append((name, base))
+            expr = expr.xreplace({power: name**exponent})
+    return expr
+
+
+def _by_size(expr: Expr) -> tuple[int, object]:
+    return sp.count_ops(expr), sp.default_sort_key(expr)
+
+
 # -- What an expression is made of, where each different part is looked at once ------------------
 
 

@@ -12,14 +12,22 @@ from dataclasses import replace
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.export.passes import hoisted, merged, of_form
+from symhaptic.export.passes import hoisted, merged, of_form, with_late_device
 from symhaptic.export.precision import Precision
 from symhaptic.export.routine import Routine, choose, names, parts, replaced
-from symhaptic.forms.form import Form
+from symhaptic.export.routines.margin import SAMPLED
+from symhaptic.forms import fractional_delay
+from symhaptic.forms.device_forms import across_of, device_of, fractional_of
+from symhaptic.forms.form import Form, NoForm, either
+from symhaptic.forms.implicit import LOOP, DelayMargin
 from symhaptic.forms.root_count import ARGUMENTS, FRACTIONAL_ARGUMENTS
-from symhaptic.notation import d, delta, gamma
+from symhaptic.model.parts import Parts
+from symhaptic.notation import d, delta, epsilon, gamma
 
-JUDGES = ("is_stable", "unstable_roots", "verdict")
+MARGIN = "delay_margin"
+"""The form that is for targets that sample a device alone, where it is asked for by name."""
+
+JUDGES = ("is_stable", "unstable_roots", "verdict", MARGIN)
 """Functions of a wall and a device."""
 
 _DEVICE = (gamma, delta, d)
@@ -44,6 +52,42 @@ def with_verdict(forms: Iterable[Form]) -> Iterator[Form]:
             title = "1 if the loop is stable, 0 if it is not, -1 if floats cannot tell"
             results, outside = (("verdict", verdict),), sp.Integer(-1)
             yield replace(form, name="verdict", title=title, results=results, outside=outside)
+
+
+def delay_margin(stable: Form) -> Form:
+    """The form of the delay that may be added, made of that of `is_stable`."""
+    if d not in stable.arguments:
+        raise NoForm(f"{MARGIN}: is about a delay, and the scene has none")
+    ((_, verdict),) = stable.results
+    loop = (s if s in stable.arguments else sp.S.Zero for s in LOOP)
+    title = (
+        "delay that may be added before a root reaches the unit circle, rounded down; 0 if the "
+        "loop is not certainly stable, infinite if no delay makes it unstable, NaN if unknown (C "
+        "only)"
+    )
+    added = (("added", DelayMargin(verdict, *loop)),)
+    return replace(stable, name=MARGIN, title=title, results=added, outside=sp.nan)
+
+
+def sampled_at(forms: Iterable[Form], precision: Precision) -> dict[str, Routine]:
+    """What finds the numbers of a device at any delay, where a delay margin is asked for."""
+    margin = next((form for form in forms if form.name == MARGIN), None)
+    if margin is None:
+        return {}
+    scene = Parts(stiffness=gamma in margin.arguments, damping=delta in margin.arguments)
+    x, late, last = device_of(scene), fractional_of(scene), fractional_delay.ends(scene)
+    kick = fractional_delay.brief(scene, sp.S.One).kick
+    kicked = fractional_delay.brief(scene, 1 - epsilon).kick
+    numbers = (
+        x.n1, either(x.n1, last[0]), either(sp.S.Zero, last[1]), x.at_minus_one, x.loss, x.together,
+        either(x.apart, late.apart), either(x.n1, across_of(scene) / 2), kick,
+        either(sp.S.Zero, kicked),
+    )  # fmt: skip
+    results = tuple(zip(SAMPLED, numbers, strict=True))
+    form = replace(margin, name="SampledAt", title="a device with a delay", results=results,
+                   arguments=_DEVICE)  # fmt: skip
+    made = merged(of_form(with_late_device(form), precision))
+    return {"SampledAt": replace(made, record="Sampled", within=())}
 
 
 def apart(forms: Iterable[Form], precision: Precision) -> tuple[Routine, ...]:

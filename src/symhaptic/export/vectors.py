@@ -15,6 +15,7 @@ from mpmath import mpf
 from sympy import Expr, Symbol
 
 from symhaptic.export.precision import DOUBLE, Precision
+from symhaptic.export.sampled import MARGIN
 from symhaptic.forms.entire import (
     Bend,
     C,
@@ -35,7 +36,7 @@ from symhaptic.forms.entire import (
     S,
     SpreadSlope,
 )
-from symhaptic.forms.implicit import ImplicitFunction, Rated
+from symhaptic.forms.implicit import LOOP, DelayMargin, ImplicitFunction, Rated
 from symhaptic.forms.response import Compensated, closed
 from symhaptic.forms.root_count import (
     NEAR,
@@ -51,6 +52,7 @@ from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, theta
 
 _ALLOWED = {
     "discretize": 4, "passivity_margin_at": 4, "passivity_margin": 4, "stability_conditions": 64,
+    MARGIN: 2048,
 }  # fmt: skip
 _ELSE = 8
 _SLOPES = 16
@@ -76,6 +78,11 @@ _HARD = {
     epsilon: (0.0, 0.5, 1e-9, 0.999),
     theta: (1e-9, 0.01, 1.0, 3.0, 3.141592653589793 - 1e-9),
 }
+_LATE = [
+    (0.01, 0.05, 0.0, 0.0, 2.5), (0.1, 0.3, 0.0, 0.01, 0.5), (0.01, 0.1, 0.3, 0.05, 1.0),
+    (0.3, 0.5, 0.0, 0.05, 0.25), (0.5, 0.1, 0.0, 0.01, 3.0),
+]  # fmt: skip
+"""Loops whose delay margin is told, but for one that is not stable."""
 _CRITICAL = [(0.25, 1.0), (BELOW, 1.0), (ABOVE, 1.0), (25.0, 10.0)]
 _MOST = 40
 """Vectors a function: all combinations where these are fewer, else an even choice of them."""
@@ -108,6 +115,9 @@ def points(form: Form, precision: Precision = DOUBLE) -> list[tuple[float, ...]]
         found = precision.nearest(special.get(value, value))
         return min(found, precision.below_pi) if symbol == theta else found
 
+    if form.name == MARGIN:
+        loops = [dict(zip(LOOP, map(precision.nearest, loop), strict=True)) for loop in _LATE]
+        return [tuple(loop[s] for s in form.arguments) for loop in loops]
     choices = [[near(s, v) for v in _HARD[s] if s != d or not form.whole or v.is_integer()]
                for s in form.arguments]  # fmt: skip
     everything = list(product(*choices))
@@ -243,6 +253,8 @@ def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
     if isinstance(expr, ImplicitFunction):
         kind: Any = type(expr)
         exact = _searched(kind, tuple(v for v, _ in parts))
+        if kind is DelayMargin:  # a delay is known as well as all of it
+            return exact, exact + parts[-1][1] + 2
         return exact, parts[1][1] if kind is Rated else max(abs(exact), _leans(expr, exact, at))
     if isinstance(expr, WholeRoots | FractionalRoots):
         near = {"near": at[NEAR][0]} if NEAR in at else {}

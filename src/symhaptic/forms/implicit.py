@@ -18,7 +18,8 @@ from sympy import Expr, cacheit
 
 from symhaptic.forms import max_stiffness_slope
 from symhaptic.forms.entire import Meant
-from symhaptic.forms.root_count import fractional_outside
+from symhaptic.forms.root_count import fractional_outside, fractional_sizes
+from symhaptic.notation import alpha, beta, d, delta, gamma
 
 _MANY = 40
 """Angles a half turn of the delay, to look for the largest value at."""
@@ -388,3 +389,40 @@ def of_whole(angle: MaxStiffnessAngle) -> MaxStiffnessAngle:
         if angle.args[4:5] != (0,)
         else MaxStiffnessWholeAngle(*angle.args[:3], *angle.args[5:])
     )
+
+
+LOOP = alpha, beta, gamma, delta, d
+"""Wall, device and delay."""
+
+
+class DelayMargin(ImplicitFunction, nargs=6):
+    """the delay that may be added to d until a root reaches the unit circle, searched for; 0 where
+    verdict < 1
+
+    Of (verdict, alpha, beta, gamma, delta, d).
+    """
+
+    @staticmethod
+    def exact(verdict: mpf, alpha: mpf, beta: mpf, gamma: mpf, delta: mpf, d: mpf) -> mpf:
+        """By the largest root of the polynomial, at delays that are half a period apart first."""
+        if verdict < 1:
+            return mpf(0)
+        motion = mpmath.matrix([[0, 1, 0], [-gamma, -delta, 1], [0, 0, 0]])
+        whole = mpmath.expm(motion)
+        loss = 1 - whole[0, 0] * whole[1, 1] + whole[0, 1] * whole[1, 0]
+
+        def outside(delay: mpf) -> mpf:
+            """By how much the largest root is outside."""
+            steps, part = fraction(delay)
+            rest, begun = mpmath.expm(motion * (1 - part)), mpmath.expm(motion * part)
+            late = rest * begun[:, 2] - rest[:, 2]  # what the force of the begin has moved
+            m2, m0 = rest[0, 2], whole[0, 1] * late[1] - whole[1, 1] * late[0]
+            m1 = late[0] - whole[1, 1] * m2 + whole[0, 1] * rest[1, 2]
+            numbers = alpha, beta, steps, m2, m0, gamma, mpf(0), loss, m2 + m1 + m0
+            return max(fractional_sizes(*numbers)) - 1
+
+        low = d
+        while outside(low + 0.5) < 0:
+            low += 0.5
+        found: mpf = mpmath.findroot(outside, (low, low + 0.5), tol=1e-40, verify=False)
+        return found - d

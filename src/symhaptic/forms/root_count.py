@@ -61,19 +61,30 @@ def outside(*numbers: mpf, near: mpf = _NEAR) -> mpf:
     Raises :class:`ArithmeticError` for long delays and for roots on the circle.
     """
     alpha, beta, delay, n1, n0, gamma, _, loss, together, _ = numbers
-    return _outside((n1, n0), alpha, beta, delay + 1, gamma * together, loss, near)
+    return _larger(_sizes((n1, n0), alpha, beta, delay + 1, gamma * together, loss), near)
 
 
 def fractional_outside(*numbers: mpf, near: mpf = _NEAR) -> mpf:
     """The same behind a fractional delay."""
+    return _larger(fractional_sizes(*numbers), near)
+
+
+def fractional_sizes(*numbers: mpf) -> list[mpf]:
+    """The sizes of the roots behind a fractional delay."""
     alpha, beta, delay, m2, m0, gamma, _, loss, together, *_ = numbers
     top = m2, together - m2 - m0, m0
-    return _outside(top, alpha, beta, delay + 2, gamma * together, loss, near)
+    return _sizes(top, alpha, beta, delay + 2, gamma * together, loss)
 
 
-def _outside(
-    top: tuple[mpf, ...], alpha: mpf, beta: mpf, power: mpf, at_one: mpf, loss: mpf, near: mpf
-) -> mpf:
+def _larger(sizes: list[mpf], near: mpf) -> mpf:
+    if any(abs(size - 1) < near for size in sizes):
+        raise ArithmeticError("a root on the circle")
+    return mpf(sum(size > 1 for size in sizes))
+
+
+def _sizes(
+    top: tuple[mpf, ...], alpha: mpf, beta: mpf, power: mpf, at_one: mpf, loss: mpf
+) -> list[mpf]:
     """Of z^power A(z) + M(z) ((alpha + beta) z - beta), with the coefficients of M on top."""
     if power > 14 or power != int(power):
         raise ArithmeticError("too many roots")
@@ -89,7 +100,4 @@ def _outside(
             roots = mpmath.polyroots(coefficients, maxsteps=200, extraprec=100)
     except mpmath.libmp.NoConvergence:
         raise ArithmeticError("no roots found") from None
-    sizes = [abs(root) for root in roots]
-    if any(abs(size - 1) < near for size in sizes):
-        raise ArithmeticError("a root on the circle")
-    return mpf(sum(size > 1 for size in sizes))
+    return [abs(root) for root in roots]

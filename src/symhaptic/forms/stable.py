@@ -22,6 +22,7 @@ from symhaptic.forms.device_forms import (
 )
 from symhaptic.forms.form import Form, NoForm
 from symhaptic.forms.implicit import (
+    DelayMargin,
     FractionalPart,
     LargestRequiredDamping,
     LargestWholeRequiredDamping,
@@ -137,7 +138,8 @@ def of_whole_delays(form: Form) -> Form:
     A form without a delay stays as it is.  Raises :class:`NoForm` for one that is about a fraction
     of a period.
     """
-    if epsilon in form.arguments:
+    margin = any(isinstance(expr, DelayMargin) for _, expr in form.results)
+    if epsilon in form.arguments or margin:
         raise NoForm(f"{form.name}: is about a fraction of a period, which whole delays have not")
     if d not in form.arguments:
         return form

@@ -666,7 +666,8 @@ static inline double cubic_root(double k0, double k1, double k2, double k3, doub
     double end2 = above <= 0.0 && fabs(end) < fabs(part) ? part : end;
     for (int count_begin2 = 0; count_begin2 < 8; ++count_begin2) {
         if (fabs(begin2) <= 16.0*fmax(1.499696813895631e-241, fabs(end2))) { break; }
-        const double size = sqrt(fabs(begin2))*sqrt(fmax(1.499696813895631e-241, fabs(end2)));
+        const double more = fmax(1.499696813895631e-241, fabs(end2)), size = sqrt(more)*
+            sqrt(fabs(begin2));
         const double at = begin2 < 0.0 ? -size : size;
         const double outside = convex*(at*(at*(at*k3 + k2) + k1) + k0) > 0.0 ? 1.0 : 0.0;
         const double next_begin = outside > 0.0 ? at : begin2;
@@ -701,7 +702,8 @@ static inline float cubic_root(float k0, float k1, float k2, float k3, float low
     float end2 = above <= 0.0f && fabsf(end) < fabsf(part) ? part : end;
     for (int count_begin2 = 0; count_begin2 < 5; ++count_begin2) {
         if (fabsf(begin2) <= 16.0f*fmaxf(8.271806e-25f, fabsf(end2))) { break; }
-        const float size = sqrtf(fabsf(begin2))*sqrtf(fmaxf(8.271806e-25f, fabsf(end2)));
+        const float more = fmaxf(8.271806e-25f, fabsf(end2)), size = sqrtf(more)*
+            sqrtf(fabsf(begin2));
         const float at = begin2 < 0.0f ? -size : size;
         const float outside = convex*(at*(at*(at*k3 + k2) + k1) + k0) > 0.0f ? 1.0f : 0.0f;
         const float next_begin = outside > 0.0f ? at : begin2;
@@ -773,8 +775,8 @@ static inline double phase_turns(const Loop *loop, double y, double rest, double
     const double half = atan2(at > 2.0 ? sqrt(still) : sqrt(at), at > 2.0 ? sqrt(at) : sqrt(still));
     const double late = loop->d + 2.0;
     const double halves4 = part2.halves - part.halves + part3.halves - (at > 2.0 ? late : 0.0);
-    const double share = 0.5*(-late*(at > 2.0 ? -2.0*half : 2.0*half) - part.rest + part2.rest +
-        part3.rest)/3.141592653589793;
+    const double around = late*(at > 2.0 ? -2.0*half : 2.0*half);
+    const double share = 0.5*(-around - part.rest + part2.rest + part3.rest)/3.141592653589793;
     const double even = floor(0.5*halves4), left = 0.5*halves4 - even;
     const double near = fabs(share - floor(share + 0.5));
     const double distance = left == 0.5 ? near : 0.5 - near, whole4 = sine == 0.0 ? 1.0 : sine;
@@ -822,8 +824,8 @@ static inline float phase_turns(const Loop *loop, float y, float rest, float off
         sqrtf(still));
     const float late = loop->d + 2.0f;
     const float halves4 = part2.halves - part.halves + part3.halves - (at > 2.0f ? late : 0.0f);
-    const float share = 0.5f*(-late*(at > 2.0f ? -2.0f*half : 2.0f*half) - part.rest + part2.rest +
-        part3.rest)/3.1415927f;
+    const float around = late*(at > 2.0f ? -2.0f*half : 2.0f*half);
+    const float share = 0.5f*(-around - part.rest + part2.rest + part3.rest)/3.1415927f;
     const float even = floorf(0.5f*halves4), left = 0.5f*halves4 - even;
     const float near = fabsf(share - floorf(share + 0.5f));
     const float distance = left == 0.5f ? near : 0.5f - near, whole4 = sine == 0.0f ? 1.0f : sine;
@@ -858,8 +860,7 @@ static inline REAL piece_turns(const Loop *loop, REAL k0, REAL k1, REAL k2, REAL
             const REAL free = zone == R(1.0) ? R(0.0) : PICK(8.881784197001252e-16, 4.7683716e-07f)*
                 (zone == R(0.0) ? loop->center : loop->beyond);
             const REAL found = phase_turns(loop, y, rest, off, loose, free);
-            const REAL rises = (zone == R(2.0) ? -R(1.0) : R(1.0))*
-                (at_high > at_low ? R(1.0) : -R(1.0));
+            const REAL up = at_high > at_low ? R(1.0) : -R(1.0), rises = zone == R(2.0) ? -up : up;
             return -R(2.0)*found*rises;
         }
         return NAN;
@@ -1529,10 +1530,8 @@ static inline REAL next_guess(REAL b, REAL fb, REAL a, REAL fa, REAL c, REAL fc,
     REAL close) {
     const REAL span = c - b, rise = fc - fb, whole = span == R(0.0) ? R(1.0) : span;
     const REAL place = (a - b)/whole, whole2 = rise == R(0.0) ? R(1.0) : rise;
-    const REAL height = (fa - fb)/whole2;
-    const REAL safe = place > height*height && place < R(1.0) -
-        ((R(1.0) - height)*(R(1.0) - height)) ?
-        R(1.0) : R(0.0);
+    const REAL height = (fa - fb)/whole2, base = R(1.0) - height;
+    const REAL safe = place > height*height && place < R(1.0) - (base*base) ? R(1.0) : R(0.0);
     const REAL width = b - a, whole3 = width == R(0.0) ? R(1.0) : width;
     const REAL edge = close*M(fabs)(M(fabs)(fa) < M(fabs)(fb) ? a : b)/M(fabs)(whole3);
     const REAL edge2 = M(fmin)(R(0.5), edge);
@@ -1674,8 +1673,9 @@ static inline REAL undelayed_angle(REAL at_one, REAL at_minus_one, REAL loss,
     const REAL k = end_slope(at_minus_one, loss, together, apart, R(0.0)), t = R(2.0)*apart;
     const REAL t2 = -together, t3 = R(2.0)*together, t4 = together*together;
     const REAL k2 = t3*((apart*apart)*at_one + together*(at_minus_one*(t + t2) + loss*t));
-    const REAL k3 = together*(at_minus_one*t4 + at_one*(t4 + (-apart - t2)*(-apart - t2)) + loss*
-        t3*(R(2.0)*together - apart));
+    const REAL base = -apart - t2;
+    const REAL k3 = together*(at_minus_one*t4 + at_one*(base*base + t4) + loss*t3*
+        (R(2.0)*together - apart));
     REAL above, below;
     if (k2 > R(0.0)) {
         const REAL discriminant = k2*k2 - R(4.0)*k*k3, root =
@@ -1753,9 +1753,8 @@ static inline REAL required_at(REAL alpha, REAL beta, REAL l, REAL epsilon,
         wide_prod(damping, pair_diff((Pair){cossin.cosine, R(0.0)},
         wide_prod(twice, wide_prod(up, pair_sum(two_prod(cossin.sine, along),
         two_prod(cossin.cosine, up)))))));
-    const REAL n = diff3.hi + diff3.lo;
-    const REAL size = (along*along)*(stiffness*stiffness) + (up*up)*
-        ((R(2.0)*damping + stiffness)*(R(2.0)*damping + stiffness));
+    const REAL n = diff3.hi + diff3.lo, base = R(2.0)*damping + stiffness;
+    const REAL size = (along*along)*(stiffness*stiffness) + (base*base)*(up*up);
     const REAL extra = epsilon*size*(R(1.0) - epsilon), root = M(sqrt)(extra + n*n);
     const REAL whole = root + M(fabs)(n) == R(0.0) ? R(1.0) : root + M(fabs)(n), more = R(0.5)*
         extra/whole;
@@ -1819,9 +1818,9 @@ static inline REAL damping_at(REAL alpha, REAL beta, REAL l, REAL epsilon, REAL 
     const REAL n = early + epsilon*(R(0.5)*alpha*(R(2.0)*l + R(3.0))*sinc(psi*(R(2.0)*l + R(3.0)))/
         sinc(psi) -
         beta*next_wave(l + R(1.0), R(2.0)*psi).cosine - early);
+    const REAL base = M(sin)(psi), base2 = M(cos)(psi), base3 = alpha + R(2.0)*beta;
     const REAL root = M(sqrt)(epsilon*(R(1.0) - epsilon)*
-        ((alpha*alpha)*(M(cos)(psi)*M(cos)(psi)) + ((alpha + R(2.0)*beta)*(alpha + R(2.0)*beta))*
-        (M(sin)(psi)*M(sin)(psi))) + n*n);
+        ((alpha*alpha)*(base2*base2) + (base*base)*(base3*base3)) + n*n);
     return R(0.5)*n + R(0.5)*root;
 }
 
@@ -1837,7 +1836,8 @@ static inline REAL chord(REAL k, REAL x) {
 
 // has the sign of the slope of DampingAt, at a fraction
 static inline REAL rising(REAL alpha, REAL beta, REAL l, REAL epsilon, REAL psi) {
-    const REAL t = R(2.0)*psi, t2 = R(2.0)*alpha/(sinc(psi)*sinc(psi)), t3 = R(0.5)*alpha + beta;
+    const REAL t = R(2.0)*psi, base = sinc(psi), t2 = R(2.0)*alpha/(base*base), t3 = R(0.5)*alpha +
+        beta;
     const REAL t4 = R(2.0)*l, t5 = t4 + R(2.0), t6 = t4 + R(4.0);
     const REAL early = t3*(t5*t5)*sinc(psi*t5) - t2*chord(l, t);
     const REAL steep = early + epsilon*(-early - t2*chord(l + R(1.0), t) + t3*(t6*t6)*sinc(psi*t6));
@@ -1849,9 +1849,8 @@ static inline REAL rising(REAL alpha, REAL beta, REAL l, REAL epsilon, REAL psi)
 // has the sign of the slope of DampingAt, up to the angle in phase
 static inline double steepness(double alpha, double beta, double l, double epsilon, double psi) {
     if (epsilon == 0.0) {
-        const double t = 2.0*l + 2.0;
-        return (t*t)*(0.5*alpha + beta)*sinc(psi*t) - 2.0*alpha*chord(l, 2.0*psi)/
-            (sinc(psi)*sinc(psi));
+        const double t = 2.0*l + 2.0, base = sinc(psi);
+        return (t*t)*(0.5*alpha + beta)*sinc(psi*t) - 2.0*alpha*chord(l, 2.0*psi)/(base*base);
     }
     const double rising_ = rising(alpha, beta, l, epsilon, psi);
     const double phase = psi*(2.0*l + 2.0) + atan2(alpha*cos(psi), (alpha + 2.0*beta)*sin(psi)) +
@@ -1862,9 +1861,8 @@ static inline double steepness(double alpha, double beta, double l, double epsil
 // has the sign of the slope of DampingAt, up to the angle in phase
 static inline float steepness(float alpha, float beta, float l, float epsilon, float psi) {
     if (epsilon == 0.0f) {
-        const float t = 2.0f*l + 2.0f;
-        return (t*t)*(0.5f*alpha + beta)*sinc(psi*t) - 2.0f*alpha*chord(l, 2.0f*psi)/
-            (sinc(psi)*sinc(psi));
+        const float t = 2.0f*l + 2.0f, base = sinc(psi);
+        return (t*t)*(0.5f*alpha + beta)*sinc(psi*t) - 2.0f*alpha*chord(l, 2.0f*psi)/(base*base);
     }
     const float rising_ = rising(alpha, beta, l, epsilon, psi);
     const float phase = psi*(2.0f*l + 2.0f) +
@@ -1949,39 +1947,21 @@ static inline REAL straight(REAL stiffness, REAL damping, REAL k, REAL angle) {
         two_prod(damping, next_wave(k, R(2.0)*angle).cosine)));
 }
 
-#ifndef SINGLE
 // has the sign of minus the slope of what the wall phi needs
-static inline double turning(double phi, double l, double epsilon, double wave, double wave2,
-    double wave3, double wave4, double wave5, double wave6, double wave7, double wave8,
-    double wave9, double wave10, double wave11, double wave12) {
-    const double t = sin(phi), t2 = l + 1.0, t3 = cos(phi), t4 = t3/t2, t5 = 0.5*t4, t6 = t - t5;
-    const double t7 = epsilon*(1.0 - epsilon), t8 = 2.0*l, t9 = 2.0*t4/(wave7*wave7);
-    const double t10 = t*wave10*((t8 + 2.0)*(t8 + 2.0)) - t9*wave3, t11 = t6*wave5, t12 = 1.0/wave7;
-    const double t13 = wave9*(t8 + 1.0), t14 = t12*t5, t15 = t13*t14;
-    const double t16 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6);
-    return -2.0*t6*t7*wave8*(t + t5) - (epsilon*
-        (t*wave12*((t8 + 4.0)*(t8 + 4.0)) - t10 - t9*wave4) + t10)*
-        (0.25*t12*t13*t4 - 0.5*t11 + 0.5*t16 + 0.5*
-        sqrt(t7*(4.0*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/(t2*t2)) + (t15 - t11 + t16)*
-        (t15 - t11 + t16)));
+static inline REAL turning(REAL phi, REAL l, REAL epsilon, REAL wave, REAL wave2,
+    REAL wave3, REAL wave4, REAL wave5, REAL wave6, REAL wave7, REAL wave8,
+    REAL wave9, REAL wave10, REAL wave11, REAL wave12) {
+    const REAL t = M(sin)(phi), t2 = l + R(1.0), t3 = M(cos)(phi), t4 = t3/t2, t5 = R(0.5)*t4, t6 =
+        t - t5;
+    const REAL t7 = epsilon*(R(1.0) - epsilon), t8 = R(2.0)*l, t9 = R(2.0)*t4/(wave7*wave7);
+    const REAL base = t8 + R(2.0), t10 = (base*base)*t*wave10 - t9*wave3, t11 = t6*wave5;
+    const REAL t12 = R(1.0)/wave7, t13 = wave9*(t8 + R(1.0)), t14 = t12*t5, t15 = t13*t14;
+    const REAL t16 = epsilon*(t11 + t14*wave11*(t8 + R(3.0)) - t15 - t6*wave6), base2 = t8 + R(4.0);
+    const REAL base3 = t15 - t11 + t16;
+    return -R(2.0)*t6*t7*wave8*(t + t5) - (epsilon*((base2*base2)*t*wave12 - t10 - t9*wave4) + t10)*
+        (R(0.25)*t12*t13*t4 - R(0.5)*t11 + R(0.5)*t16 + R(0.5)*
+        M(sqrt)(base3*base3 + t7*(R(4.0)*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/(t2*t2))));
 }
-#else
-// has the sign of minus the slope of what the wall phi needs
-static inline float turning(float phi, float l, float epsilon, float wave, float wave2,
-    float wave3, float wave4, float wave5, float wave6, float wave7, float wave8, float wave9,
-    float wave10, float wave11, float wave12) {
-    const float t = sinf(phi), t2 = l + 1.0f, t3 = cosf(phi), t4 = t3/t2, t5 = 0.5f*t4, t6 = t - t5;
-    const float t7 = epsilon*(1.0f - epsilon), t8 = 2.0f*l, t9 = 2.0f*t4/(wave7*wave7);
-    const float t10 = t*wave10*((t8 + 2.0f)*(t8 + 2.0f)) - t9*wave3, t11 = t6*wave5;
-    const float t12 = 1.0f/wave7, t13 = wave9*(t8 + 1.0f), t14 = t12*t5, t15 = t13*t14;
-    const float t16 = epsilon*(t11 + t14*wave11*(t8 + 3.0f) - t15 - t6*wave6);
-    return -2.0f*t6*t7*wave8*(t + t5) - (epsilon*
-        (t*wave12*((t8 + 4.0f)*(t8 + 4.0f)) - t10 - t9*wave4) + t10)*
-        (0.25f*t12*t13*t4 - 0.5f*t11 + 0.5f*t16 + 0.5f*
-        sqrtf(t7*(4.0f*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/(t2*t2)) + (t15 - t11 + t16)*
-        (t15 - t11 + t16)));
-}
-#endif
 
 // the wall whose worst angle is 2 psi, as an angle
 static inline REAL turn(REAL psi, REAL l, REAL epsilon) {

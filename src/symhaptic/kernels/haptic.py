@@ -1065,10 +1065,8 @@ def cubic_root(xp, k0, k1, k2, k3, low, high, rise):
         return xp.abs(begin2) <= 16.0*xp.where(number > xp.abs(end2), number, xp.abs(end2))
 
     def step(begin2, end2, convex, k0, k1, k2, k3):
-        size = (
-            square_root(xp, xp.abs(begin2))*square_root(xp,
-            xp.where(number > xp.abs(end2), number, xp.abs(end2)))
-        )
+        more = xp.where(number > xp.abs(end2), number, xp.abs(end2))
+        size = square_root(xp, more)*square_root(xp, xp.abs(begin2))
         at = xp.where(begin2 < 0.0, -size, size)
         outside = xp.where(convex*(at*(at*(at*k3 + k2) + k1) + k0) > 0.0, xp.full_like(at, 1.0),
             0.0)
@@ -1182,10 +1180,8 @@ def phase_turns(xp, y, rest, off, loose, free, alpha, slope, far, d, n1, loss, t
         xp.where(case1, square_root(xp, at), square_root(xp, still)))
     late = d + 2.0
     halves3 = halves2 - halves_ + halves3 - xp.where(case1, late, 0.0)
-    share = (
-        0.5*(turned2 - late*xp.where(case1, -2.0*half, 2.0*half) - turned + turned3)/
-        3.141592653589793
-    )
+    around = late*xp.where(case1, -2.0*half, 2.0*half)
+    share = 0.5*(turned2 - around - turned + turned3)/3.141592653589793
     even = xp.floor(0.5*halves3)
     left = 0.5*halves3 - even
     near = xp.abs(share - xp.floor(share + 0.5))
@@ -1227,10 +1223,8 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
             free = xp.where(case1, 0.0, number2*xp.where(case2, center, beyond))
             found = phase_turns(xp, y, rest, off, loose, free, alpha, slope, far, d, n1, loss,
                 together, apart, apart_off, n1_off, a_off)
-            rises = (
-                xp.where(zone == 2.0, xp.full_like(zone, -1.0), 1.0)*
-                xp.where(at_high > at_low, xp.full_like(at_high, 1.0), -1.0)
-            )
+            up = xp.where(at_high > at_low, xp.full_like(at_high, 1.0), -1.0)
+            rises = xp.where(zone == 2.0, -up, up)
             return -2.0*found*rises
 
         return select(xp, (rest > 0.0) & (y > 0.0), yes,
@@ -1966,8 +1960,9 @@ def next_guess(xp, b, fb, a, fa, c, fc, close):
     place = (a - b)/whole
     whole = xp.where(rise == 0.0, 1.0, rise)
     height = (fa - fb)/whole
-    safe = xp.where((place > height*height) & (place < 1.0 - ((1.0 - height)*(1.0 - height))),
-        xp.full_like(height, 1.0), 0.0)
+    base = 1.0 - height
+    safe = xp.where((place > height*height) & (place < 1.0 - (base*base)), xp.full_like(base, 1.0),
+        0.0)
     width = b - a
     whole = xp.where(width == 0.0, 1.0, width)
     edge = close*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b))/xp.abs(whole)
@@ -2157,8 +2152,8 @@ def undelayed_angle(xp, at_one, at_minus_one, loss, together, apart):
     t3 = 2.0*together
     t4 = (together*together)
     k2 = t3*((apart*apart)*at_one + together*(at_minus_one*(t + t2) + loss*t))
-    k3 = together*(at_minus_one*t4 + at_one*(t4 + (-apart - t2)*(-apart - t2)) + loss*t3*
-        (2.0*together - apart))
+    base = -apart - t2
+    k3 = together*(at_minus_one*t4 + at_one*(base*base + t4) + loss*t3*(2.0*together - apart))
 
     def yes(k, k2, k3):
         discriminant = k2*k2 - 4.0*k*k3
@@ -2272,10 +2267,8 @@ def required_at(xp, alpha, beta, l, epsilon, theta):
         *wide_prod(xp, twice, *wide_prod(xp, up,
         *pair_sum(xp, *two_prod(xp, sine, along), *two_prod(xp, cosine, up)))))))
     n = diff + diff_low
-    size = (
-        (along*along)*(stiffness*stiffness) + (up*up)*
-        ((2.0*damping + stiffness)*(2.0*damping + stiffness))
-    )
+    base = 2.0*damping + stiffness
+    size = (along*along)*(stiffness*stiffness) + (base*base)*(up*up)
     extra = epsilon*size*(1.0 - epsilon)
     root = square_root(xp, extra + n*n)
     whole = xp.where(root + xp.abs(n) == 0.0, 1.0, root + xp.abs(n))
@@ -2326,9 +2319,11 @@ def damping_at(xp, alpha, beta, l, epsilon, psi):
     def no(alpha, beta, early, epsilon, l, psi):
         n = early + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(xp, psi*(2.0*l + 3.0))/sinc(xp, psi) -
             beta*cos_next(xp, l + 1.0, 2.0*psi) - early)
+        base = xp.sin(psi)
+        base2 = xp.cos(psi)
+        base3 = alpha + 2.0*beta
         root = square_root(xp, epsilon*(1.0 - epsilon)*
-            ((alpha*alpha)*(xp.cos(psi)*xp.cos(psi)) + ((alpha + 2.0*beta)*(alpha + 2.0*beta))*
-            (xp.sin(psi)*xp.sin(psi))) + n*n)
+            ((alpha*alpha)*(base2*base2) + (base*base)*(base3*base3)) + n*n)
         return 0.5*n + 0.5*root
 
     return select(xp, epsilon == 0.0, lambda early: early, (early,), no,
@@ -2355,7 +2350,8 @@ def chord(xp, k, x):
 def rising(xp, alpha, beta, l, epsilon, psi):
     """has the sign of the slope of DampingAt, at a fraction"""
     t = 2.0*psi
-    t2 = 2.0*alpha/(sinc(xp, psi)*sinc(xp, psi))
+    base = sinc(xp, psi)
+    t2 = 2.0*alpha/(base*base)
     t3 = 0.5*alpha + beta
     t4 = 2.0*l
     t5 = t4 + 2.0
@@ -2372,9 +2368,9 @@ def steepness(xp, alpha, beta, l, epsilon, psi):
     """has the sign of the slope of DampingAt, up to the angle in phase"""
     def yes(alpha, beta, l, psi):
         t = 2.0*l + 2.0
+        base = sinc(xp, psi)
         return (
-            (t*t)*(0.5*alpha + beta)*sinc(xp, psi*t) - 2.0*alpha*chord(xp, l, 2.0*psi)/
-            (sinc(xp, psi)*sinc(xp, psi))
+            (t*t)*(0.5*alpha + beta)*sinc(xp, psi*t) - 2.0*alpha*chord(xp, l, 2.0*psi)/(base*base)
         )
 
     def no(alpha, beta, epsilon, l, psi):
@@ -2478,18 +2474,21 @@ def turning(xp, phi, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7,
     t7 = epsilon*(1.0 - epsilon)
     t8 = 2.0*l
     t9 = 2.0*t4/(wave7*wave7)
-    t10 = t*wave10*((t8 + 2.0)*(t8 + 2.0)) - t9*wave3
+    base = t8 + 2.0
+    t10 = (base*base)*t*wave10 - t9*wave3
     t11 = t6*wave5
     t12 = 1.0/wave7
     t13 = wave9*(t8 + 1.0)
     t14 = t12*t5
     t15 = t13*t14
     t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
+    base = t8 + 4.0
+    base3 = t15 - t11 + t14
     return (
-        -2.0*t6*t7*wave8*(t + t5) - (epsilon*(t*wave12*((t8 + 4.0)*(t8 + 4.0)) - t10 - t9*wave4) +
-        t10)*(0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*
-        square_root(xp, t7*(4.0*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/(t2*t2)) +
-        (t15 - t11 + t14)*(t15 - t11 + t14)))
+        -2.0*t6*t7*wave8*(t + t5) - (epsilon*((base*base)*t*wave12 - t10 - t9*wave4) + t10)*
+        (0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*
+        square_root(xp, base3*base3 + t7*(4.0*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/
+        (t2*t2))))
     )
 
 

@@ -628,7 +628,8 @@ def cubic_root(k0, k1, k2, k3, low, high, rise):
   for count_begin2 in range(8):
     if abs(begin2) <= 16.0*max(1.499696813895631e-241, abs(end2)):
       break
-    size = sqrt(abs(begin2))*sqrt(max(1.499696813895631e-241, abs(end2)))
+    more = max(1.499696813895631e-241, abs(end2))
+    size = sqrt(more)*sqrt(abs(begin2))
     at = -size if begin2 < 0.0 else size
     outside = 1.0 if convex*(at*(at*(at*k3 + k2) + k1) + k0) > 0.0 else 0.0
     next_begin = at if outside > 0.0 else begin2
@@ -725,8 +726,8 @@ def phase_turns(y, rest, off, loose, free, alpha, slope, far, d, n1, loss, toget
   half = atan2(sqrt(still) if at > 2.0 else sqrt(at), sqrt(at) if at > 2.0 else sqrt(still))
   late = d + 2.0
   halves4 = halves2 - halves + halves3 - (late if at > 2.0 else 0.0)
-  share = 0.5*(-late*(-2.0*half if at > 2.0 else 2.0*half) - turned + turned2 + turned3)/ \
-      3.141592653589793
+  around = late*(-2.0*half if at > 2.0 else 2.0*half)
+  share = 0.5*(-around - turned + turned2 + turned3)/3.141592653589793
   even = floor(0.5*halves4)
   left = 0.5*halves4 - even
   near = abs(share - floor(share + 0.5))
@@ -758,7 +759,8 @@ def piece_turns(k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, 
       free = 0.0 if zone == 1.0 else 8.881784197001252e-16*(center if zone == 0.0 else beyond)
       found = phase_turns(y, rest, off, loose, free, alpha, slope, far, d, n1, loss, together, \
           apart, apart_off, n1_off, a_off)
-      rises = (-1.0 if zone == 2.0 else 1.0)*(1.0 if at_high > at_low else -1.0)
+      up = 1.0 if at_high > at_low else -1.0
+      rises = -up if zone == 2.0 else up
       PieceTurns_out = -2.0*found*rises
     else:
       PieceTurns_out = nan
@@ -1308,8 +1310,11 @@ def damping_at(alpha, beta, l, epsilon, psi):
   else:
     n = early + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(psi*(2.0*l + 3.0))/sinc(psi) - beta* \
         cos_next(l + 1.0, 2.0*psi) - early)
-    root = sqrt(epsilon*(1.0 - epsilon)*((alpha*alpha)*(cos(psi)*cos(psi)) + \
-        ((alpha + 2.0*beta)*(alpha + 2.0*beta))*(sin(psi)*sin(psi))) + n*n)
+    base = sin(psi)
+    base2 = cos(psi)
+    base3 = alpha + 2.0*beta
+    root = sqrt(epsilon*(1.0 - epsilon)*((alpha*alpha)*(base2*base2) + (base*base)* \
+        (base3*base3)) + n*n)
     DampingAt_out = 0.5*n + 0.5*root
   return DampingAt_out
 
@@ -1320,7 +1325,8 @@ def next_guess(b, fb, a, fa, c, fc, close):
   place = (a - b)/whole
   whole2 = 1.0 if rise == 0.0 else rise
   height = (fa - fb)/whole2
-  safe = 1.0 if place > height*height and place < 1.0 - ((1.0 - height)*(1.0 - height)) else 0.0
+  base = 1.0 - height
+  safe = 1.0 if place > height*height and place < 1.0 - (base*base) else 0.0
   width = b - a
   whole3 = 1.0 if width == 0.0 else width
   edge = close*abs(a if abs(fa) < abs(fb) else b)/abs(whole3)
@@ -1360,7 +1366,8 @@ def chord(k, x):
 
 def rising(alpha, beta, l, epsilon, psi):
   t = 2.0*psi
-  t2 = 2.0*alpha/(sinc(psi)*sinc(psi))
+  base = sinc(psi)
+  t2 = 2.0*alpha/(base*base)
   t3 = 0.5*alpha + beta
   t4 = 2.0*l
   t5 = t4 + 2.0
@@ -1374,8 +1381,8 @@ def rising(alpha, beta, l, epsilon, psi):
 def steepness(alpha, beta, l, epsilon, psi):
   if epsilon == 0.0:
     t = 2.0*l + 2.0
-    Steepness_out = (t*t)*(0.5*alpha + beta)*sinc(psi*t) - 2.0*alpha*chord(l, 2.0*psi)/ \
-        (sinc(psi)*sinc(psi))
+    base = sinc(psi)
+    Steepness_out = (t*t)*(0.5*alpha + beta)*sinc(psi*t) - 2.0*alpha*chord(l, 2.0*psi)/(base*base)
   else:
     rising_ = rising(alpha, beta, l, epsilon, psi)
     phase = psi*(2.0*l + 2.0) + atan2(alpha*cos(psi), (alpha + 2.0*beta)*sin(psi)) + \

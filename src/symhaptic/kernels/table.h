@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#define STAMP "62020b49d4579f04"
+#define STAMP "7a7386793156c7f8"
 
 extern "C" {
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,

@@ -4,12 +4,13 @@
 * ``slopes``: the derivatives of these
 * ``response``: the device with a delay of a fraction of a period
 * ``roots``: the roots outside the unit circle, for `is_stable`
+* ``margin``: the delay that may be added
 * ``walls``: what is searched for, such as the largest stiffness
 * ``arithmetic``: pairs of floats, and the elementary functions made of them
 * ``prelude``: what the routines are written with
 """
 
 from symhaptic.export.notation import ROUTINES
-from symhaptic.export.routines import arithmetic, device, response, roots, slopes, walls
+from symhaptic.export.routines import arithmetic, device, margin, response, roots, slopes, walls
 
-__all__ = ["ROUTINES", "arithmetic", "device", "response", "roots", "slopes", "walls"]
+__all__ = ["ROUTINES", "arithmetic", "device", "margin", "response", "roots", "slopes", "walls"]

@@ -247,7 +247,8 @@ def phase_turns(point, loop, precision):
     half = do("half", atan2(sqrt(choose(high, rest, y)), sqrt(choose(high, y, rest))))
     late = do("late", d + 2)
     halves = do("halves", above.halves + force.halves - below.halves - choose(high, late, 0))
-    turned = above.rest + force.rest - below.rest - late * choose(high, -2 * half, 2 * half)
+    around = do("around", late * choose(high, -2 * half, 2 * half))
+    turned = above.rest + force.rest - below.rest - around
     share = do("share", turned / (2 * pi))
     even = do("even", floor(halves / 2))
     left = do("left", halves / 2 - even)
@@ -538,7 +539,22 @@ def _blurs(at_one, last):
 @routine(given=FRACTIONAL_ARGUMENTS)
 def fractional_roots(given, precision):
     """roots outside the unit circle behind a fractional delay, -1 where that is not certain"""
-    weak, last = _faint(precision), unit(precision)
+    weak, x = _faint(precision), expanded(precision)
+    one, two = do("one", x.center / 2), do("two", x.beyond / 2)
+    before, after = do("before", _value(x.own, -one)), do("after", _value(x.own, two))
+    loop = (*x.loop, x.center, x.beyond)
+    zones = [do("zone", sp.Integer(number)) for number in (NEAR, OWN, FAR)]
+    found = zone_turns(x.near, zones[0], one, x.near[0], before, zones[0], loop)
+    found += zone_turns(x.own, -one, two, before, after, zones[1], loop)
+    found += zone_turns(x.end, zones[0], two, x.end[0], after, zones[2], loop)
+    total = _ends(found, x.near, x.end, x.slope, x.far, across)
+    return _counted(Or(weak, *x.unsure), total)
+
+
+def expanded(precision):
+    """|A|^2 - |M|^2 |W|^2 about both ends and about the device's own frequency, this frequency, and
+    what a crossing is told; and where the ends decide nothing."""
+    last = unit(precision)
     slope, force, far = _wall()
     both = do("lost", loss * loss), do("square", m2 * m0), do("size", across * across)
     at_one = do("at_one", gamma * together)
@@ -548,7 +564,7 @@ def fractional_roots(given, precision):
     near, most = _about_end("near", *both, first, at_one, together, alpha, force)
     blurred = do("blurred", (2 * Abs(across) + n1_off) * n1_off)
     end_unsure, least = _at_the_end(far, last, a_off, apart_off)
-    unsure = [weak, end_unsure, _flat(near, Abs(near[0]), most, last, blurred * alpha**2)]
+    unsure = [end_unsure, _flat(near, Abs(near[0]), most, last, blurred * alpha**2)]
     pushed = do("pushed", apart * far)
     first = (at_minus_one - pushed) * (at_minus_one + pushed)
     end, most = _about_end("far", *both, first, at_minus_one, apart, far, -force)
@@ -558,15 +574,9 @@ def fractional_roots(given, precision):
     middle = do("middle", 2 * at_one / (2 - loss))
     rest = do("rest", 2 * at_minus_one / (2 - loss))
     own = _about_own(*both, middle, rest, slope, force, far)
-    one, two = do("one", middle / 2), do("two", rest / 2)
-    before, after = do("before", _value(own, -one)), do("after", _value(own, two))
-    loop = (alpha, slope, far, d, across, loss, together, apart, apart_off, n1_off, a_off, middle,
-            rest)  # fmt: skip
-    zones = [do("zone", sp.Integer(number)) for number in (NEAR, OWN, FAR)]
-    found = zone_turns(near, zones[0], one, near[0], before, zones[0], loop)
-    found += zone_turns(own, -one, two, before, after, zones[1], loop)
-    found += zone_turns(end, zones[0], two, end[0], after, zones[2], loop)
-    return _counted(Or(*unsure), _ends(found, near, end, slope, far, across))
+    loop = alpha, slope, far, d, across, loss, together, apart, apart_off, n1_off, a_off
+    return SimpleNamespace(near=near, own=own, end=end, center=middle, beyond=rest, loop=loop,
+                           unsure=unsure, slope=slope, far=far)  # fmt: skip
 
 
 def _cut(top, bottom, low, high):
@@ -631,7 +641,8 @@ def piece_turns(terms, low, high, at_low, at_high, zone, loop, precision):
     point = _point(x, zone, unit(precision))
     inner = And(point[0] > 0, point[1] > 0)
     found = do("found", phase_turns(point, LOOP))
-    rises = do("rises", choose(at_high > at_low, 1, -1) * choose(Eq(zone, FAR), -1, 1))
+    up = do("up", choose(at_high > at_low, 1, -1))
+    rises = do("rises", choose(Eq(zone, FAR), -up, up))
     return choose(there, choose(inner, -2 * rises * found, sp.nan), 0)
 
 
@@ -658,7 +669,8 @@ def cubic_root(terms, low, high, rise, precision):
     }
 
     def mean(begin, end):
-        size = do("size", sqrt(Abs(begin)) * sqrt(Max(Abs(end), least)))
+        more = do("more", Max(Abs(end), least))
+        size = do("size", sqrt(Abs(begin)) * sqrt(more))
         at = do("at", choose(begin < 0, -size, size))
         outside = do("outside", choose(convex * _value(terms, at) > 0, 1, 0)) > 0
         return choose(outside, at, begin), choose(outside, end, at)
