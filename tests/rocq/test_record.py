@@ -1,6 +1,10 @@
 """The record of Rocq is of the texts that are written, and agrees with our kernel."""
 
 import json
+import random
+import re
+import shutil
+import subprocess
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -191,24 +195,90 @@ def test_a_statement_rests_on_what_its_own_lemmas_name():
 
 
 @pytest.mark.parametrize(
-    ("imported", "changed", "another"),
+    ("imported", "changed", "more", "another"),
     [
-        ("Prelude", "Prelude", True),
-        ("Prelude", "Zeros", False),
-        ("Prelude Zeros", "Zeros", True),
-        ("Zeros", "Prelude", True),  # which it imports itself
+        ("Prelude", "Prelude", "Check 1.\n", True),
+        ("Prelude", "Prelude", "(* Check 1. *)\n", False),
+        ("Prelude", "Zeros", "Check 1.\n", False),
+        ("Prelude Zeros", "Zeros", "Check 1.\n", True),
+        ("Zeros", "Prelude", "Check 1.\n", True),  # which it imports itself
     ],
 )
 def test_the_mark_of_a_text_is_of_the_preludes_that_it_imports(
-    tmp_path, monkeypatch, imported, changed, another
+    tmp_path, monkeypatch, imported, changed, more, another
 ):
-    text = f"From Symhaptic Require Import {imported}.\n"
+    text = f"(* Mine. *)\nFrom Symhaptic Require Import {imported}.\n"
     before = preludes.text_mark(text)
     paths = [tmp_path / path.name for path in preludes.PRELUDES]
     for there, path in zip(paths, preludes.PRELUDES, strict=True):
-        there.write_text(path.read_text() + ("(* *)" if path.stem == changed else ""))
+        there.write_text(path.read_text() + (more if path.stem == changed else ""))
     monkeypatch.setattr(preludes, "PRELUDES", tuple(paths))
     assert (preludes.text_mark(text) != before) == another
+
+
+HIDDEN = [
+    # what Rocq reads, and what it does not
+    ("Check §.", True),
+    ("Check 1. (* § *)", False),
+    ("Check 1. (* (* 1 *) § *) Check 2.", False),
+    ("Check 1. (* (* 1 *) *) Check §.", True),
+    ('Check "(*"%string. Check §. Check "*)"%string.', True),
+    ('Check "a""(*"%string. Check §. (* *)', True),
+    ('Check 1. (* "*)" § *) Check 2.', False),
+    ('Check 1. (* "(*" *) Check §. (* *)', True),
+    ('Check 1. (* " *) Check §. (* " *) Check 2.', False),
+    ("Check (2 * 1). (*) § *) Check 2.", False),
+    ("Check 1. (***) Check §.", True),
+    ("Check 1. (* ** *) Check §.", True),
+    ("Check 1. (* (**) Check 2. *) Check §.", True),
+    ("Check (fst (1, 2)). Check (fun x => (x, §)).", True),
+]
+"""Texts in which a digit stands for §, and whether Rocq reads it."""
+
+
+@pytest.mark.parametrize(("text", "read"), HIDDEN)
+def test_no_comment_hides_a_change_of_what_rocq_reads(text, read):
+    first, then = (text.replace("§", digit) for digit in "34")
+    assert (preludes.text_mark(first) != preludes.text_mark(then)) == read
+    assert preludes.code(first).count("3") == read
+
+
+@pytest.mark.parametrize(
+    "text", ["Check 1.(* § *)", "Check 1. (* (* § *)", 'Check 1. (* "§ *)', 'Check "§. (* *)']
+)
+def test_a_comment_that_rocq_may_not_see_is_part_of_the_text(text):
+    assert preludes.code(text) == text
+
+
+def test_wording_and_layout_do_not_change_the_mark_but_each_other_character_does():
+    """Of a chapter as it is written: comments, titles and lines of another width."""
+    written = printed(chapter("s3b_envelope")).written()
+    mark = preludes.text_mark(written)
+    reworded = re.sub(r"\(\* [A-Z]", "(* In other words: o", written)
+    assert reworded != written
+    assert preludes.text_mark(reworded) == mark
+    assert preludes.text_mark(written.replace("\n", " \n\t ")) == mark
+    code = preludes.code(written)
+    assert preludes.code(code) == code
+    assert preludes.text_mark(code) == mark
+    for at in random.Random(0).sample(range(len(code)), 200):
+        changed = code[:at] + ("y" if code[at] == "x" else "x") + code[at + 1 :]
+        assert preludes.code(changed) != code
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("coqtop") is None, reason=compiled.INSTALL)
+def test_rocq_reads_the_same_without_comments():
+    def told(text):
+        text = "From Coq Require Import String.\n" + text.replace("§", "3") + "\nCheck 5.\n"
+        done = subprocess.run(
+            ["coqtop", "-q"], input=text, capture_output=True, text=True, check=True
+        )
+        return re.findall(r"^(?:Coq < )*(\S.*)$", done.stdout, re.M)
+
+    for text, read in HIDDEN:
+        assert told(text) == told(preludes.code(text)), text
+        assert ("3" in "".join(told(text)[1:])) == read, text
 
 
 @pytest.mark.parametrize(("count", "more"), [(5, ""), (115, " and 110 more")])

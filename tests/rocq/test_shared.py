@@ -100,6 +100,10 @@ def test_a_prelude_that_changed_forgets_all(tmp_path):
     compiled.prepared(tmp_path)
     proved(tmp_path, *FIRST)
     assert taken(compiled.prepared(tmp_path), *OTHER)
+    text = (tmp_path / "Prelude.v").read_text()
+    (tmp_path / "Prelude.v").write_text(f"(* In other words. *)\n{text}")
+    assert taken(compiled.prepared(tmp_path), *OTHER)
+    assert (tmp_path / "Prelude.v").read_text() == text
     (tmp_path / "Prelude.v").write_text("")
     assert not taken(compiled.prepared(tmp_path), *OTHER)
 
@@ -159,6 +163,9 @@ def test_a_chapter_that_takes_all_rests_on_the_same(folder):
         first.rests, first.statements, first.text,
     )  # fmt: skip
     assert foreign.REALS in next(iter(again.rests.values()))
+    (folder / "s3b_envelope.v").write_text("(* In other words. *)")
+    assert compiled.asked(one, folder).kept
+    assert (folder / "s3b_envelope.v").read_text() == compiled.printed(one).written()
 
 
 @pytest.mark.slow

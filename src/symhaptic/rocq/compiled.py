@@ -22,7 +22,7 @@ from symhaptic.book.chapters import Chapter, run
 from symhaptic.rocq.assumptions import axioms, resting, told
 from symhaptic.rocq.chapter import OPEN, File, printed
 from symhaptic.rocq.outcome import Outcome, keep, kept, marked, of_file, unasked
-from symhaptic.rocq.preludes import PRELUDES, text_mark
+from symhaptic.rocq.preludes import PRELUDES, code, text_mark
 from symhaptic.rocq.shared import FOLDER, Seen
 
 INSTALL = "coqc is not found; on Debian: apt install coq libcoq-interval"
@@ -52,10 +52,11 @@ def prepared(folder: Path) -> Path:
     stale = False
     for path in PRELUDES:
         there, text = folder / path.name, path.read_text(encoding="utf-8")
-        stale = stale or not there.is_file() or there.read_text(encoding="utf-8") != text
+        before = there.read_text(encoding="utf-8") if there.is_file() else ""
+        stale = stale or code(before) != code(text)
         if stale:
-            there.write_text(text, encoding="utf-8")
             there.with_suffix(".vo").unlink(missing_ok=True)
+        there.write_text(text, encoding="utf-8")
     if stale:
         shutil.rmtree(folder / FOLDER)
         (folder / FOLDER).mkdir()
@@ -174,8 +175,6 @@ def begun(
     whole = printed(chapter)
     file = whole.leaves() if leaves else whole
     of, before = text_mark(file.written()), kept(file.name, folder)
-    if before.get("text") == of:
-        return marked(Outcome(**{**before["outcome"], "kept": True}), chapter, of)
     place = folder / f"{file.name}.v"
 
     def opened(failed: Mapping[str, str]) -> None:
@@ -184,6 +183,9 @@ def begun(
         file = whole.leaves() if leaves else whole
         place.write_text(file.written(), encoding="utf-8")
 
+    if before.get("text") == of:  # its comments may be others
+        opened(refused(before["outcome"]))
+        return marked(Outcome(**{**before["outcome"], "kept": True}), chapter, of)
     failed = refused(recorded) if recorded and recorded["text"] == of else {}
     opened(failed)
     if not file.steps:
