@@ -56,8 +56,8 @@ def derive(page):
         r"$\theta\to\pi$",
     )
     found = page.lemma(
-        "A wall with a virtual mass is passive if and only if the damping of the device outweighs "
-        "spring, damper and virtual mass together",
+        "A wall with a virtual mass is passive if and only if the damping of the device is at "
+        "least the sum that spring, damper and virtual mass require",
         decides(),
         boxed=True,
     )

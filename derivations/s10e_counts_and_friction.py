@@ -54,8 +54,8 @@ def derive(page):
         r"For $K\le2b/T$ and $K\le2f_c/\Delta_x$ no motion gains energy from a wall that has an "
         "encoder and only pushes",
         wall_passive(),
-        because=r"the first term satisfies $\max(x+p_k,0)^2\le(\max(x,0)+p_k)^2$, and taking the "
-        "maximum with 0 increases no distance",
+        because=r"the first term satisfies $\max(x+p_k,0)^2\le(\max(x,0)+p_k)^2$, and replacing "
+        "two numbers by their maximum with 0 does not increase their distance",
     )
     page.say(
         r"The bounds $2b/T$ and $2f_c/\Delta_x$ are sharp. Let the position oscillate by $2h$ "

@@ -32,9 +32,10 @@ def derive(page):
     )
     page.say(
         "With an integer delay of $d$ periods the spring force differs from $f(x_k)$ by at most "
-        "$K$ times the last $d$ steps. The damper force is $B/T$ times one earlier step. So the "
-        r"wall delivers at most $(K(d+\tfrac12)+|B|/T)\sum p_k^2$. Therefore $b\ge "
-        r"KT(d+\tfrac12)+|B|$ is sufficient for a wall that only pushes. Without delay this "
+        r"$K$ times the sum $|p_{k-1}|+\ldots+|p_{k-d}|$ of the last $d$ steps. The damper "
+        r"force is $B/T$ times one earlier step. So the wall delivers at most "
+        r"$(K(d+\tfrac12)+|B|/T)\sum p_k^2$. Therefore $b\ge KT(d+\tfrac12)+|B|$ is "
+        "sufficient for a wall that only pushes. Without delay this "
         r"condition is (6) itself; with a delay it is (9) for $-b\le B\le0$. For positive damping "
         "and a delay it is stricter than (5). For (5) alone we rely on the reference."
     )

@@ -136,8 +136,8 @@ def _boundary(page):
             whole(d): (half, not_on_boundary(then, half, half_late(Rational(17, 10)))),
             end: (high, not_on_boundary(then, high, STEPS)),
         },
-        shows=r"for $d=1$ and $\omega T=\tfrac23\pi$, (7) gives $K=-4$, $B=2$, which is a "
-        "negative stiffness",
+        shows=r"for $d=1$ and $\omega T=\tfrac23\pi$, (7) gives the wall $K=-4$, $B=2$, whose "
+        "stiffness is negative",
         note="without delay, (7) is the single point $(2b/T,0)$, and the rest of the boundary is "
         "(6). For other $d>0$, (7) bounds the walls of (5). At higher frequencies the curve "
         "bounds nothing",
@@ -199,7 +199,7 @@ def _extent(page):
         r"$0<\omega T\le\pi/(d+1)$."
     )
     page.lemma(
-        r"A margin for $0<N\psi\le\pi$ implies a margin at every angle",
+        r"A margin that is not negative for $0<N\psi\le\pi$ is not negative at any angle",
         at_every_angle(),
         because=r"subtracting multiples of $2\pi$ from $N\psi$ gives an angle with $N\psi\le\pi$ "
         "at which the condition is stricter",

@@ -1,7 +1,7 @@
 """How many parameters does the characteristic polynomial have, and what is its degree?
 
-We derive the polynomial of the loop again in physical units, and count its parameters and its
-powers of $z$.
+We derive the polynomial of the loop again in physical units, count its parameters and determine its
+degree in $z$.
 """
 
 from symhaptic.book.lemmas.prelude import *

@@ -15,7 +15,7 @@ def derive(page):
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
     polynomial = bottom * z ** (d + 1) + top * ((alpha + beta) * z - beta)
     page.say(
-        "The sampled device is $N/A$ with $A=z^2-az+e$, $N=n_1z+n_0$, and the characteristic "
+        "The sampled device is $N/A$ with $A=z^2-az+e$ and $N=n_1z+n_0$. The characteristic "
         r"polynomial is $p_1=z^{d+1}A+N((\alpha+\beta)z-\beta)$ (\chapter{s4b_polynomial}):"
     )
     q = boundary.needed(plant.Sampled(n_1, n_0, a, e))

@@ -46,7 +46,7 @@ def derive(page):
         "and the map is invertible."
     )
     same = page.lemma(
-        "Two springs have the same stable walls, except for a shift of at most 0.002",
+        "The stable walls of two springs differ by a shift of at most 0.002",
         springs_alike(),
         because="the two devices have the same $e$, and their $n_1$ and $n_0$ differ by less than "
         "$0.0004$ and $0.00018$",

@@ -81,8 +81,7 @@ def expansion(page, scaled, angle):
         diff(LONG, phi, 2).subs(there),
         -(6 + phi**2) * cos(phi),
         name=r"\tfrac{d^2}{d\varphi^2}\,\varphi^2\cos\varphi",
-        because="because the curvature is not zero, the largest value and its angle are power "
-        "series in $h^2$",
+        because="the curvature is not zero at the angle of the maximum",
     )
     shift = diff(next_one, phi).subs(there) ** 2 / (2 * bent)
     page.say(

@@ -56,8 +56,8 @@ def derive(page):
     )
     page.say(
         r"For stiffer springs the statement is false. Take $\gamma=5$, $\alpha=-4$, $\beta=5.9$ "
-        r"and no delay. With $\delta=1.2$ this wall is stable, and with $\delta=1.5$ a root lies "
-        "outside."
+        r"and no delay. With $\delta=1.2$ this wall is stable, but with $\delta=1.5$ a root lies "
+        "outside the unit circle."
     )
     page.state(
         "damping-destabilises",

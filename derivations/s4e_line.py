@@ -128,8 +128,8 @@ def periods(page):
         S.Zero,
         S.One,
         name="n_1(h)+n_0(h)",
-        because=r"therefore $s_2\to1$, as $s_1\to0$. The gap is $\frac1{720}\delta\gamma^2$ to "
-        r"lowest order (\chapter{s4d_explicit_boundary_ends})",
+        because=r"since also $s_1\to0$, it follows that $s_2\to1$. The gap is "
+        r"$\frac1{720}\delta\gamma^2$ to lowest order (\chapter{s4d_explicit_boundary_ends})",
     )
     return {
         theta: h * theta,

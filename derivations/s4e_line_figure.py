@@ -1,8 +1,8 @@
 r"""Where on the boundary is the error of the linear condition 0, 2 or 5 per cent?
 
 Fig. 10 of the paper marks points with these errors for $\gamma=0.001$, five dampings and two
-delays. On each boundary these points are zeros of one polynomial of degree two or three. Intervals
-contain all of them.
+delays. On each boundary the points with one error are zeros of a polynomial of degree two or three
+in $y=4\sin^2\frac\theta2$. Balls enclose all of these zeros.
 """
 
 from flint import arb

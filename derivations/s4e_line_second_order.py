@@ -23,7 +23,7 @@ def derive(page):
     loss = 1 + gamma * n_0 - (delta + gamma / 2) * TOTAL - GAP
     small = delta + gamma / 2
     page.step(
-        "On the line without delay the minor is of second order",
+        "Without delay the minor on the line is small of second order",
         on_line(0).subs(e, loss).subs(n_1, n_0 + UNEVEN),
         GAP * (1 + n_0 * (small - A / 2))
         + A * (UNEVEN / 2 + n_0 * small * (4 * n_0 + 3 * UNEVEN) / 2)

@@ -23,8 +23,9 @@ def derive(page):
         r"$\tfrac12$. So $2\Re(\bar pzp')>(d+3)|p|^2$ everywhere on the circle."
     )
     page.say(
-        r"Take the wall $(\alpha_1,\beta_1)$ of the boundary that puts a zero at $z=e^{j\theta}$, "
-        r"and let $(x,y)$ be the derivative of the boundary with respect to $\theta$ there. For "
+        r"Let $(\alpha_1,\beta_1)$ be the wall of the boundary for which $p$ has a zero at "
+        r"$z=e^{j\theta}$. Let $(x,y)$ be the derivative of the boundary with respect to $\theta$ "
+        "at this wall. For "
         r"the wall $(\alpha_1+u,\beta_1+v)$ the polynomial is $q=N(uz+v(z-1))$ at this $z$, and "
         "$zp'$ is $jN(xz+y(z-1))+zq'$. At $z$ the inequality has a linear and a quadratic part:"
     )

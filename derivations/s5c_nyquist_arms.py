@@ -64,10 +64,10 @@ def arms(page):
 def human(page):
     """Against arms, as stiffnesses."""
     page.say(
-        "The limit and the end of (23) are stiffnesses per mass. Their ratio is a ratio of "
-        "stiffnesses only if the mass is that of the arm. For Hogan's arm, 0.8 kg and 568 N/m, "
-        r"the limit is $k=\pi^2m/T^2$. For the device of Example 5.1 alone, 0.1 kg, the limit is "
-        "much smaller:"
+        "The limit and the end of (23) are stiffnesses per mass. Their ratio is the ratio of the "
+        "stiffnesses only if the limit is that of the arm's mass. For Hogan's arm, 0.8 kg and "
+        r"568 N/m, the limit is $k=\pi^2m/T^2$. For the device of Example 5.1 alone, 0.1 kg, the "
+        "limit is much smaller:"
     )
     for title, mass in (
         ("For Hogan's arm the spring is 13\\,900 times as stiff", HOGAN[m]),

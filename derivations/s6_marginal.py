@@ -65,9 +65,9 @@ def in_numbers(page, parameter, id):
         id,
         changes(parameter),
         enclosed=True,
-        note=f"the numbers are for {ranges} and the delays 0 to 7, at both ends of the range of "
-        "the other parameter; the reader decides whether they are small. With long delays the "
-        rf"change is not small (\texttt{{{id.replace('marginal', 'any-delay')}}})",
+        note=f"the changes are given for {ranges} and delays of 0 to 7 periods, at both ends of "
+        "the range of the other parameter; whether they matter depends on the use. With long "
+        rf"delays the change is not small (\texttt{{{id.replace('marginal', 'any-delay')}}})",
     )
 
 

@@ -1,8 +1,8 @@
 r"""How does the device respond to a force with a fractional delay?
 
 With a delay of $\ell+\varepsilon$ periods, $0\le\varepsilon<1$, the held force changes inside a
-period: for the time $\varepsilon T$ the previous force still acts. The samples of the motion have
-an exact transfer function. It differs from the paper's $z^{-d}$.
+period: for the time $\varepsilon T$ the previous force still acts. The transfer function
+from the force to the sampled position is exact. It differs from the paper's $z^{-d}$.
 """
 
 from symhaptic.book.lemmas.late_device import exact_late_plant, exact_plant
@@ -39,7 +39,7 @@ def derive(page):
     place = (turning.adjugate() * force / turning.det())[0] * z ** (-l)
     page.same("the delayed force", place, late.transfer.xreplace(given))
     found = page.lemma(
-        "The sampled device is exact for every device and continuous in the delay",
+        "The sampled transfer function is exact for every device and continuous in the delay",
         exact_late_plant(),
         boxed=True,
         because=r"if $g(t)$ is the motion from rest under a unit force, $m_2=g(1-\varepsilon)$ "

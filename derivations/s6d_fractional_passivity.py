@@ -53,7 +53,7 @@ def derive(page):
         "motion",
     )
     page.step(
-        "For an integer delay $d$ a motion at an angle requires this damping",
+        "For an integer delay $d$ a sinusoidal motion at the angle $\theta$ requires this damping",
         b - passivity.margin(),
         passivity.dirichlet_form(),
         name=NEED(d),
@@ -66,7 +66,7 @@ def derive(page):
     )
     force = passivity.on_circle(wall.transfer() * z ** (-l - 1))
     square = page.step(
-        "The size of the wall does not contain the delay",
+        "The magnitude of the wall does not depend on the delay",
         T**2 * force * force.xreplace({I: -I}),
         fractional.stiffness_squared(),
         name="T^2|H|^2",

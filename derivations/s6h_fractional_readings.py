@@ -13,7 +13,8 @@ from symhaptic.book.lemmas.principal import both_errors, read_wrongly
 def derive(page):
     page.say(
         "For soft springs the principal sheet is close to the exact polynomial, as for the free "
-        "mass. But Fig. 13 contains springs up to the Nyquist frequency. Take "
+        "mass. But Fig. 13 contains springs with which the natural frequency reaches the "
+        "Nyquist frequency. Take "
         r"$\sqrt\gamma=\frac23\pi$, $\delta=0$, $d=\frac12$, and $x=\alpha/\gamma$, "
         r"$y=\beta/\gamma$:"
     )

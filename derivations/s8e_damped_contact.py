@@ -36,7 +36,9 @@ def derive(page):
         "stiffness",
     )
     driven = {alpha: S.One, beta: S.One, gamma: S.Zero, delta: S.Zero, d: S.Zero}
-    page.lemma("The wall $K=B=1$ of $m=T=1$ has a root outside the circle", outside(driven))
+    page.lemma(
+        "For $m=T=1$ the loop with the wall $K=B=1$ has a root outside the circle", outside(driven)
+    )
     page.settle(
         RULE,
         found,

@@ -48,8 +48,8 @@ def derive(page):
     )
     page.say(
         r"The stiffest wall of the boundary has the angle $\theta=\pi/(2(d+1))$, at which "
-        r"$\cos(d+1)\theta$ vanishes. The stiffness of this wall is a tangent, and its damping is "
-        "a difference without cancellation:"
+        r"$\cos(d+1)\theta$ vanishes. The stiffness of this wall is a multiple of a tangent "
+        "function. Its damping is a difference without cancellation:"
     )
     page.step(
         "The passive wall of maximum stiffness has a damping without a pole",
