@@ -82,9 +82,10 @@ def named(
     if models and max(models)[0] > max(_MOST, share):
         return (max(models)[1],)
     same = bool((mine == mine[0]).all()) and not near
-    for name, values in _ruled(checked, columns) if same else _candidates(checked, columns):
-        if _share(values, mine, by) > max(_MOST, share):
-            return (name,)
+    with np.errstate(all="ignore"):  # where a wrong formula is not defined
+        for name, values in _ruled(checked, columns) if same else _candidates(checked, columns):
+            if _share(values, mine, by) > max(_MOST, share):
+                return (name,)
     if same:
         return (f"every result is {', '.join(f'{value:g}' for value in mine[0])}",)
     single = near and _single(mine) and not _single(np.array(right, dtype=float))
@@ -102,28 +103,27 @@ def named(
 
 def _candidates(checked: Checked, columns: Columns) -> Iterator[tuple[str, Columns]]:
     """Each error with what it gives."""
-    with np.errstate(all="ignore"):
-        numbers = _numbers(checked)
-        printed = _values(checked, _print(checked)) if checked.printed else numbers
-        names, values = list(checked.arguments), printed(columns)
-        for order in islice(permutations(range(min(len(values), len(checked.results)))), 1, None):
-            told = ", ".join(checked.results[i] for i in order)
-            yield f"results are given in the order {told}", [values[i] for i in order]
-        for order in islice(permutations(range(len(names))), 1, None):
-            taken = ",".join(names[order.index(i)] for i in range(len(names)))
-            said = f"arguments are taken in another order; --arguments {taken}"
-            yield said, printed([columns[i] for i in order])
-        for name, exprs in _written(checked):
-            yield name, _values(checked, exprs)(columns)
-        for name, other in _taken(dict(zip(names, columns, strict=True))):
-            for given in (numbers, printed):  # at a fraction of a period they differ
-                yield name, given(list(other.values()))
-        if isinstance(exact(checked, _first(columns))[0][0], bool):
-            yield "true and false are exchanged", [1 - np.asarray(v) for v in numbers(columns)]
-        else:
-            for name, change in _GIVEN:
-                yield name, [change(v) for v in numbers(columns)]
-        yield from _ruled(checked, columns)
+    numbers = _numbers(checked)
+    printed = _values(checked, _print(checked)) if checked.printed else numbers
+    names, values = list(checked.arguments), printed(columns)
+    for order in islice(permutations(range(min(len(values), len(checked.results)))), 1, None):
+        told = ", ".join(checked.results[i] for i in order)
+        yield f"results are given in the order {told}", [values[i] for i in order]
+    for order in islice(permutations(range(len(names))), 1, None):
+        taken = ",".join(names[order.index(i)] for i in range(len(names)))
+        said = f"arguments are taken in another order; --arguments {taken}"
+        yield said, printed([columns[i] for i in order])
+    for name, exprs in _written(checked):
+        yield name, _values(checked, exprs)(columns)
+    for name, other in _taken(dict(zip(names, columns, strict=True))):
+        for given in (numbers, printed):  # at a fraction of a period they differ
+            yield name, given(list(other.values()))
+    if isinstance(exact(checked, _first(columns))[0][0], bool):
+        yield "true and false are exchanged", [1 - np.asarray(v) for v in numbers(columns)]
+    else:
+        for name, change in _GIVEN:
+            yield name, [change(v) for v in numbers(columns)]
+    yield from _ruled(checked, columns)
 
 
 def _first(columns: Columns) -> Point:

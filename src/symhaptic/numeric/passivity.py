@@ -437,8 +437,10 @@ def stiffest_passive_at(beta: Array, delta: float, delay: float) -> Extremum:
     """The largest stiffness of a passive wall with a given damping, and its worst angle.
 
     What a wall needs is a largest value of what motions need, each of which is linear in the wall:
-    so the passive walls are convex, and those of one damping an interval.  It begins at no
-    stiffness, as stiffness takes from the margin.  NaN where it is empty.
+    so the passive walls are convex, and those of one damping an interval.  With an integer delay
+    the interval begins at no stiffness: the worst angle of a damper alone is 0 or pi/(d+1), and
+    there a stiffness takes from the margin.  NaN if the damper alone is not passive, which is
+    safe with other delays, too.
     """
     shape, beta = np.shape(beta), np.ravel(beta)
     most = float(max_passive_stiffness(delta, delay).alpha)

@@ -111,9 +111,9 @@ def calls(rows: list[Row]) -> Table:
     says = (
         "The table gives, for each error, the fastest call that does not exceed it, and the time "
         "per value. The error is the largest one for all ordinary and hard parameters, relative to "
-        "the largest term of the result. No result is NaN. C stands for exported C code, and "
-        "digits= for this argument of the function. The functions for float32 and for mpmath, here "
-        "with the given number of digits, are made by lambdify."
+        "the largest term of the result. No result is NaN. C means exported C code, and digits= "
+        "means a call with this argument. lambdify generates the functions for float32 and for "
+        "mpmath; the name of each mpmath function gives the number of digits."
     )
     head = ("function", *(f"to {_power(most)}" for most in ERRORS))
     return Table("Fastest call for a given error", head, tuple(found), len(head), says)

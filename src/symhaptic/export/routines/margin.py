@@ -1,16 +1,18 @@
 r"""The delay that may be added to a loop, never too large.
 
-A root on the circle moves with the delay by :math:`d\ln z=h/(l+2-Z)`: h is the logarithmic
-derivative of M by the fraction of the period, Z that of :math:`MW/A` by :math:`\ln z`, and l has
-the whole periods.  Where the device takes the lead over the wall, its larger angle, roots have to
-leave, and where the wall does they have to come back, for all fractions in a part of the period at
-once and, as the real part of :math:`h\,\overline{(l+2-Z)}` is linear in l, for all l between two.
-Then none comes back before one has left, and one leaves each time the phase at the larger angle has
-made another turn.  Secants lead to the delay at which it has; a little before, the number of turns
-is certainly that of the begin.
+If the delay grows, a root on the unit circle moves by :math:`d\ln z=h/(l+2-Z)`.  Here h is the
+logarithmic derivative of M by the fraction of the period, Z is that of :math:`MW/A` by
+:math:`\ln z`, and l is the number of whole periods.  A root can be on the circle at two angles.  We
+show that roots leave at the larger angle, above which the device is stronger than the wall, and
+come back at the smaller angle.  The proof covers all fractions in a part of the period at once.  It
+covers all l between two, since the real part of :math:`h\,\overline{(l+2-Z)}` is linear in l.
 
-Numbers with bounds are pairs: a value, and by how much it may be off.  What a part is given is
-taken to be off by 64 last places, so that all roundings behind are a small part of the bounds.
+So no root comes back before one has left, and one leaves each time the phase at the larger angle
+has made another turn.  Secants find the delay at which this happens.  The margin is a little
+smaller: there, the number of turns is certainly that at the start.
+
+A number with a bound is a pair: a value, and by how much it may be off.  Every input of a part
+counts as off by 64 last places, so that all later roundings are a small part of the bounds.
 """
 
 from __future__ import annotations
@@ -41,9 +43,10 @@ SAMPLED = (
 _SECANTS = 12
 _TRIES = 8
 _LEAST = Rational(1, 32)
-"""Parts of a period that are shorter are not looked at: cut in four they are no shorter twice."""
+"""A part that cannot be decided is cut in four, unless the pieces are shorter than this."""
 _PARTS = 24
-"""As many at most: sixteen, those that end with the period or the margin, and those cut before."""
+"""At most so many parts are tried: sixteen, those that the end of the period or of the margin cuts,
+and those that were cut in four before."""
 
 _KICKS = kick, kicked, n1, delta, half = sp.symbols("kick kicked n1 delta half")
 """The ways by an impulse in a period and in its rest, n1 of the device, its damping, and half of a
