@@ -1,9 +1,13 @@
 """The graph of what rests on what: edges that others say are left out, nothing points backwards."""
 
 import pytest
+from chapters import chapter
 
-from symhaptic.book.figures.rests import columns, direct, graph
+from symhaptic.book.chapters import shipped
+from symhaptic.book.figures import style
+from symhaptic.book.figures.rests import columns, direct
 from symhaptic.book.figures.style import save
+from symhaptic.book.report.printed import _graph
 
 CHAIN = {2: frozenset({1}), 3: frozenset({1, 2}), 5: frozenset({3, 4, 1})}
 
@@ -30,18 +34,24 @@ def test_neighbours_stand_side_by_side():
     assert [min(crossed[n]) for n in high] == low
 
 
-def test_no_box_covers_another(tmp_path):
+@pytest.mark.ci
+def test_no_box_of_the_book_covers_another(tmp_path):
+    chapters = [chapter(path.stem) for path in shipped()]
     boxes = []
 
-    def draw(axes):
-        graph(axes, CHAIN, dict.fromkeys(range(1, 6), "What does the wall do to the hand?"))
-        axes.figure.draw_without_rendering()
-        boxes.extend(text.get_window_extent() for text in axes.texts if text.get_text())
+    def drawn(draw, target, height):
+        def measured(axes):
+            draw(axes)
+            axes.figure.draw_without_rendering()
+            boxes.extend(t.get_bbox_patch().get_window_extent() for t in axes.texts if t.get_text())
 
-    save(draw, tmp_path / "graph.png")
-    pairs = [(a, b) for i, a in enumerate(boxes) for b in boxes[:i]]
-    assert len(boxes) == 5
-    assert not any(a.overlaps(b) for a, b in pairs)
+        save(measured, target, height=height)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(style, "save", drawn)
+        _graph(chapters, tmp_path, lambda _: None)
+    assert len(boxes) > 60
+    assert not any(one.overlaps(other) for i, one in enumerate(boxes) for other in boxes[:i])
 
 
 @pytest.mark.parametrize("name", ["half_circle", "crossing", "sides", "lines_of_angles"])

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import accumulate
 from typing import TYPE_CHECKING
 
 from symhaptic.book.figures.style import COLOURS
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 Edges = Mapping[int, frozenset[int]]
 """For each chapter those whose theorems it applies."""
 
-LETTERS = 23
+LETTERS = 17
 """Of a line of a chapter's title."""
 
 SWEEPS = 12
@@ -81,8 +82,12 @@ def columns(edges: Edges) -> list[list[int]]:
     return found
 
 
-def _heights(column: Sequence[int]) -> dict[int, float]:
-    return {n: (i + 0.5) / len(column) for i, n in enumerate(column)}
+def _heights(
+    column: Sequence[int], size: Callable[[int], int] = lambda node: 1
+) -> dict[int, float]:
+    """The middles of boxes of these sizes that fill a column, from 0 to 1."""
+    ends = list(accumulate(map(size, column)))
+    return {n: (end - size(n) / 2) / ends[-1] for n, end in zip(column, ends, strict=True)}
 
 
 def _mean(values: Iterable[float]) -> float:
@@ -94,11 +99,16 @@ def graph(axes: Axes, edges: Edges, titles: Mapping[int, str]) -> None:
     """Titles in columns, joined to what they rest on."""
     edges = direct(edges)
     placed = columns(edges)
-    at = {n: (x, -y) for x, column in enumerate(placed) for n, y in _heights(column).items()}
+    lines = {n: textwrap.wrap(f"{n}  {title}", LETTERS) for n, title in titles.items()}
+
+    def size(node: int) -> int:
+        return len(lines[node]) + 1  # a line is between two boxes
+
+    at = {n: (x, -y) for x, column in enumerate(placed) for n, y in _heights(column, size).items()}
     boxes = {
         n: axes.text(
             *at[n],
-            "\n".join(textwrap.wrap(f"{n}  {titles[n]}", LETTERS)),
+            "\n".join(lines[n]),
             fontsize=5.5,
             linespacing=1.05,
             ha="center",

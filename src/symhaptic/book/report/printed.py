@@ -282,7 +282,7 @@ def _graph(chapters: list[Chapter], folder: Path, say: Say) -> None:
         say("figure graph")
         titles = {number: chapter.title for number, chapter in numbered}
         draw = partial(graph, edges=edges, titles=titles)
-        save(draw, folder / "graph.pdf", height=1.1)
+        save(draw, folder / "graph.pdf", height=1.2)
 
 
 def _measured(folder: Path, say: Say) -> None:
