@@ -18,7 +18,7 @@ _FORKED = get_context("forkserver")
 _FORKED.set_forkserver_preload(["preloaded"])
 
 
-def symhaptic(*arguments, cwd=None, text=True, timeout=300):
+def symhaptic(*arguments, cwd=None, text=True, timeout=1200):
     """What the command says, and its exit status."""
     here = os.pathsep.join([str(Path(__file__).parent), os.environ.get("PYTHONPATH", "")])
     with patch.dict(os.environ, {"PYTHONPATH": here}):  # where the server looks, not its caller

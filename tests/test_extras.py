@@ -153,7 +153,7 @@ def test_a_command_says_at_once_what_to_install(commands, tmp_path):
     paths = os.environ | {"PYTHONPATH": str(Path(needed.__code__.co_filename).parents[2])}
     run = subprocess.run(
         [sys.executable, "-c", FORKED, json.dumps(commands)], cwd=tmp_path, env=paths,
-        capture_output=True, text=True, timeout=200, check=True,
+        capture_output=True, text=True, timeout=1200, check=True,
     )  # fmt: skip
     said = run.stderr.splitlines()
     assert len(said) == 2 * len(commands), run.stderr

@@ -230,7 +230,7 @@ scene.plot()
 """
 COMMANDS = [
     ("--version", "--version", r"symhaptic [\d.]+ \(compiled kernels\)\n"),
-    ("verify", "verify --strict", "proved"),
+    ("verify", "verify eq11 --strict", "qualified"),
     ("verify list", "verify --list", "eq11"),
     ("verify a source", "verify --source notes --strict", "misprint"),
     ("mutants", "mutants --source notes", "0 accepted though wrong"),

@@ -58,7 +58,7 @@ def run(one, folder):
 
     copy = nbformat.from_dict(json.loads(json.dumps(one)))
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
-    client = NotebookClient(copy, timeout=300, resources={"metadata": {"path": str(folder)}})
+    client = NotebookClient(copy, timeout=1200, resources={"metadata": {"path": str(folder)}})
     client.execute(env=os.environ | {"PATH": path})
     return copy
 

@@ -99,7 +99,7 @@ def test_a_signal_that_comes_at_an_awkward_place_ends_the_command(number, place,
     """Python ignores what a finaliser raises, and remembers what is raised in `exec`."""
     (tmp_path / "awkward.py").write_text(AWKWARD.format(number=int(number), place=place))
     done = subprocess.run(
-        [sys.executable, "-m", "awkward"], env=os.environ | {"PYTHONPATH": str(HOME)}, timeout=20,
+        [sys.executable, "-m", "awkward"], env=os.environ | {"PYTHONPATH": str(HOME)}, timeout=200,
         capture_output=True, text=True, check=False, cwd=tmp_path,
     )  # fmt: skip
     assert (done.returncode, done.stderr) == (128 + number, "symhaptic: interrupted\n")
@@ -142,7 +142,7 @@ def test_nothing_is_left(kind, number, tmp_path, request):
         text=True,
     )
     request.addfinalizer(process.kill)
-    until = time.monotonic() + 60
+    until = time.monotonic() + 600
     begun = here / "begun"
     while len(alive(mark)) < 3 or (kind in ("sweep", "program") and not begun.exists()):
         assert time.monotonic() < until
@@ -150,9 +150,9 @@ def test_nothing_is_left(kind, number, tmp_path, request):
         time.sleep(0.05)
     begin = time.monotonic()
     process.send_signal(number)
-    _, said = process.communicate(timeout=60)
+    _, said = process.communicate(timeout=600)
     assert "Traceback" not in said or (kind in ("sweep", "program") and number == signal.SIGINT)
-    while alive(mark) and time.monotonic() < begin + 8:
+    while alive(mark) and time.monotonic() < begin + 60:
         time.sleep(0.05)
     assert alive(mark) == []
     assert os.listdir(tmp_path / "tmp") == []
@@ -273,9 +273,9 @@ def test_nothing_is_lost_or_left_at_any_moment(kind, used, request):
         request.addfinalizer(process.kill)
         time.sleep(moment)
         process.send_signal(number)
-        _, said = process.communicate(timeout=60)
+        _, said = process.communicate(timeout=600)
         arrived += process.returncode != 0  # else it had ended before
-        until = time.monotonic() + 10
+        until = time.monotonic() + 60
         while alive(mark) and time.monotonic() < until:
             time.sleep(0.05)
         what = f"kill {i} of {kind} by {number.name} after {moment:.3f} of {took:.1f} s\n{said}"

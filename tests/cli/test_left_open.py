@@ -21,7 +21,7 @@ def derive(page):
 
 def verify(*arguments):
     command = [sys.executable, "-m", "symhaptic", "verify", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=300)
+    return subprocess.run(command, capture_output=True, text=True, timeout=1200)
 
 
 def test_an_open_statement_fails_where_no_ledger_has_it(tmp_path):

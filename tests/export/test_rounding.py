@@ -30,7 +30,7 @@ def proved(names=(), parts=FULL, precision=DOUBLE, **options):
 
 def gappa(text, *options):
     return subprocess.run(
-        ["gappa", *options], input=text, capture_output=True, text=True, timeout=60, check=False
+        ["gappa", *options], input=text, capture_output=True, text=True, timeout=600, check=False
     )
 
 

@@ -214,7 +214,7 @@ def test_other_text_is_refused_on_one_short_line(text):
             ask()
         assert len(str(caught.value)) < 250
         assert "\n" not in str(caught.value)
-    assert time.perf_counter() - begin < 5  # Pint alone takes a second when it is loaded
+    assert time.perf_counter() - begin < 60  # Pint alone takes a second when it is loaded
 
 
 def test_a_number_too_small_for_a_float_is_zero():

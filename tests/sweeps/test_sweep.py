@@ -264,7 +264,7 @@ def test_an_error_ends_the_other_processes_at_once(tmp_path):
     program = tmp_path / "program.py"
     program.write_text(WRONG)
     run = subprocess.run(
-        [sys.executable, program], capture_output=True, text=True, timeout=300, check=False
+        [sys.executable, program], capture_output=True, text=True, timeout=1200, check=False
     )
     assert run.returncode == 1
     assert run.stderr.endswith("ArithmeticError: mine\n")
