@@ -189,8 +189,8 @@ def _broken(chain: Sequence[Proposition]) -> list[str]:
             rows += [rf"&\quad {sign} {first}", *(rf"&\qquad {part}" for part in rest)]
         return rows
     if isinstance(claim, (Iff, Implies)):
-        first, second = (_held([p]) for p in claim.of)
-        return [*first, *_led(rf"{_JOINED[type(claim)]}\quad ", second)]
+        before, after = (_held([p]) for p in claim.of)
+        return [*before, *_led(rf"{_JOINED[type(claim)]}\quad ", after)]
     if isinstance(claim, And):
         return [row for one in _chains(conjuncts(claim)) for row in _broken(one)]
     if isinstance(claim, Or):
