@@ -24,8 +24,8 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.notation.terms import Term, tree
 
-_SIGNS = {"=": "=", "!=": r"\ne", "<": "<", "<=": r"\le"}
-_TURNED = {"=": "=", "!=": r"\ne", "<": ">", "<=": r"\ge"}
+SIGNS = {"=": "=", "!=": r"\ne", "<": "<", "<=": r"\le"}
+TURNED = {"=": "=", "!=": r"\ne", "<": ">", "<=": r"\ge"}
 
 
 class _Placed(str):
@@ -41,18 +41,18 @@ class _Placed(str):
         return str(self) if stands else f"({self})"
 
 
-def written(claim: Proposition) -> str:
-    r"""LaTeX of a proposition.
+def written(claim: Proposition, inline: bool = True) -> str:
+    r"""LaTeX of a proposition; ``inline`` avoids built-up fractions.
 
     >>> from symhaptic.notation import K, T
     >>> from symhaptic.notation.proposition import proposition
     >>> written(And((proposition(K > 0), proposition(K < T))))
     '0<K<T'
     """
-    return _written(_told_apart(claim))
+    return _written(told_apart(claim), inline)
 
 
-def _told_apart(claim: Proposition) -> Proposition:
+def told_apart(claim: Proposition) -> Proposition:
     r"""The same with a prime for symbols that would be printed as others that stand in it.
 
     >>> from sympy import Dummy
@@ -86,25 +86,25 @@ def _renamed(claim: Proposition, names: Mapping[Symbol, Term]) -> Proposition:
     return claim.made(bound, terms, tuple(_renamed(p, names) for p in claim.parts))
 
 
-def _written(claim: Proposition) -> str:
+def _written(claim: Proposition, inline: bool) -> str:
     if isinstance(claim, Relation):
-        left, right = latex(claim.left, inline=True), latex(claim.right, inline=True)
+        left, right = latex(claim.left, inline), latex(claim.right, inline)
         if not claim.left.free_symbols and claim.right.free_symbols:
-            return _related(right, _TURNED[claim.sign], left)
-        return _related(left, _SIGNS[claim.sign], right)
+            return _related(right, TURNED[claim.sign], left)
+        return _related(left, SIGNS[claim.sign], right)
     if isinstance(claim, Predicate):
-        terms = [_Placed(latex(t, inline=True)) for t in claim.of]
+        terms = [_Placed(latex(t, inline)) for t in claim.of]
         over = latex(claim.over[0]) if claim.over else ""
         return MEANINGS[claim.name][2].format(*terms, s=over)
     if isinstance(claim, (ForAll, Exists)):
-        return _quantified(claim)
+        return _quantified(claim, inline)
     if isinstance(claim, And):
-        return listed(conjuncts(claim)) or r"\text{true}"
+        return listed(conjuncts(claim), inline) or r"\text{true}"
     if isinstance(claim, Or):
-        return _cases(claim.of)
-    parts = [_bracketed(p) for p in claim.parts]
+        return _cases(claim.of, inline)
+    parts = [_bracketed(p, inline) for p in claim.parts]
     if isinstance(claim, Not):
-        return _denied(claim.of[0])
+        return _denied(claim.of[0], inline)
     if isinstance(claim, Implies):
         return rf"{parts[0]}\ \Rightarrow\ {parts[1]}"
     if isinstance(claim, Iff):
@@ -129,15 +129,15 @@ def _related(left: str, sign: str, right: str) -> str:
     return f"{left}{sign}{' ' if sign[0] == chr(92) and right[:1].isalpha() else ''}{right}"
 
 
-def _denied(claim: Proposition) -> str:
+def _denied(claim: Proposition, inline: bool) -> str:
     if isinstance(claim, Predicate) and claim.name == "whole":
-        return rf"{latex(claim.of[0], inline=True)}\notin\mathbb{{N}}_0"
+        return rf"{latex(claim.of[0], inline)}\notin\mathbb{{N}}_0"
     if isinstance(claim, And) and len(chains(conjuncts(claim))) > 1:
-        return rf"\text{{not}}\ ({_written(claim)})"
-    return rf"\text{{not}}\ {_bracketed(claim)}"
+        return rf"\text{{not}}\ ({_written(claim, inline)})"
+    return rf"\text{{not}}\ {_bracketed(claim, inline)}"
 
 
-def _cases(claims: Sequence[Proposition]) -> str:
+def _cases(claims: Sequence[Proposition], inline: bool = True) -> str:
     r"""Propositions of which one holds; what has to hold together in one of them is bracketed.
 
     >>> from symhaptic.notation import K, T
@@ -149,45 +149,50 @@ def _cases(claims: Sequence[Proposition]) -> str:
     T\ge1
     """
     if len(claims) == 1:
-        return _written(claims[0])
-    parts = [rf"({_written(p)})" if len(conjuncts(p)) > 1 else _bracketed(p) for p in claims]
+        return _written(claims[0], inline)
+    parts = [
+        rf"({_written(p, inline)})" if len(conjuncts(p)) > 1 else _bracketed(p, inline)
+        for p in claims
+    ]
     return r"\ \text{or}\ ".join(parts) or r"\text{false}"
 
 
-def _bracketed(claim: Proposition) -> str:
-    text = _written(claim)
+def _bracketed(claim: Proposition, inline: bool) -> str:
+    text = _written(claim, inline)
     alone = isinstance(claim, (Relation, Predicate, Not)) or (
         isinstance(claim, And) and all(isinstance(p, (Relation, Predicate)) for p in claim.parts)
     )
-    return text if alone else rf"\bigl({text}\bigr)"
+    if alone:
+        return text
+    return rf"\bigl({text}\bigr)" if inline else rf"\left({text}\right)"
 
 
-def listed(claims: Sequence[Proposition]) -> str:
+def listed(claims: Sequence[Proposition], inline: bool = True) -> str:
     """Propositions beside each other."""
-    return r",\ ".join(chains(claims))
+    return r",\ ".join(chains(claims, inline))
 
 
-def chains(claims: Sequence[Proposition]) -> list[str]:
+def chains(claims: Sequence[Proposition], inline: bool = True) -> list[str]:
     """Propositions one by one, two bounds of one term as a chain."""
     left = list(claims)
     out: list[str] = []
     while left:
         claim = left.pop(0)
-        chain = _upper(claim, left)
+        chain = upper(claim, left)
         if chain is not None:
             assert isinstance(claim, Relation)
             left.remove(chain)
-            lower = latex(claim.left, inline=True)
-            middle = latex(claim.right, inline=True)
-            upper = latex(chain.right, inline=True)
-            inner = _related(middle, _SIGNS[chain.sign], upper)
-            out.append(_related(lower, _SIGNS[claim.sign], inner))
+            lower = latex(claim.left, inline)
+            middle = latex(claim.right, inline)
+            highest = latex(chain.right, inline)
+            inner = _related(middle, SIGNS[chain.sign], highest)
+            out.append(_related(lower, SIGNS[claim.sign], inner))
         else:
-            out.append(_bracketed(claim))
+            out.append(_bracketed(claim, inline))
     return out
 
 
-def _upper(claim: Proposition, others: Sequence[Proposition]) -> Relation | None:
+def upper(claim: Proposition, others: Sequence[Proposition]) -> Relation | None:
     """The bound from above of what a relation bounds from below."""
     if not (isinstance(claim, Relation) and claim.sign in ("<", "<=") and claim.right.free_symbols):
         return None
@@ -197,7 +202,7 @@ def _upper(claim: Proposition, others: Sequence[Proposition]) -> Relation | None
     return None
 
 
-def _quantified(claim: ForAll | Exists) -> str:
+def _quantified(claim: ForAll | Exists, inline: bool = True) -> str:
     r"""The symbol stands before its conditions, unless one of them shows which it is.
 
     >>> from symhaptic.notation import K, T
@@ -208,6 +213,16 @@ def _quantified(claim: ForAll | Exists) -> str:
     \forall\,K\ \text{with}\ KT<1:\ K<2
     """
     sign = r"\forall" if isinstance(claim, ForAll) else r"\exists"
+    head, rest, body = parted(claim, inline)
+    joined = r"\Rightarrow" if isinstance(claim, ForAll) else r"\text{and}"
+    lead = rf"{listed(rest, inline)}\ {joined}\ " if rest else ""
+    return rf"{sign}\,{head}:\ {lead}{(_bracketed if rest else _written)(body, inline)}"
+
+
+def parted(
+    claim: ForAll | Exists, inline: bool = True
+) -> tuple[str, list[Proposition], Proposition]:
+    """The symbols of a quantifier with their conditions, other conditions, and what it is of."""
     body = claim.body
     given: tuple[Proposition, ...] = ()
     if isinstance(claim, ForAll) and isinstance(body, Implies):
@@ -217,13 +232,11 @@ def _quantified(claim: ForAll | Exists) -> str:
     own = [g for g in given if g.free & set(claim.over) and not isinstance(g, (ForAll, Exists))]
     rest = [g for g in given if g not in own]
     if len(claim.over) == 1 and any(_bounds(g, claim.over[0]) for g in own):
-        head = listed(own)
+        head = listed(own, inline)
     else:
         head = ",".join(latex(s) for s in claim.over)
-        head += rf"\ \text{{with}}\ {listed(own)}" if own else ""
-    joined = r"\Rightarrow" if isinstance(claim, ForAll) else r"\text{and}"
-    lead = rf"{listed(rest)}\ {joined}\ " if rest else ""
-    return rf"{sign}\,{head}:\ {lead}{_bracketed(body) if rest else _written(body)}"
+        head += rf"\ \text{{with}}\ {listed(own, inline)}" if own else ""
+    return head, rest, body
 
 
 def _bounds(given: Proposition, symbol: Symbol) -> bool:

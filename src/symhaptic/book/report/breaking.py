@@ -268,9 +268,13 @@ def _upright(line: str) -> str:
     return out
 
 
+_WORD = 10.0
+"""Em, as wide as a long word: below this a formula is not broken within a line."""
+
+
 def running(tex: str) -> str:
     """A long formula as running text: it may break after a comma and before an arrow."""
-    if width(tex) < _NARROW:
+    if width(tex) < _WORD:
         return tex
     tex = re.sub(r",(?=\w|\\[a-z])", r",\\allowbreak ", tex)
     tex = tex.replace(r",\ ", r",\allowbreak\ ").replace(r":\ ", r":\allowbreak\ ")

@@ -18,6 +18,7 @@ from symhaptic.book.foreign import LEAVES, NOT, WHOLE, Checked, checked
 from symhaptic.book.record import Block, Settled
 from symhaptic.book.report import tree
 from symhaptic.book.report.breaking import parted, rows_of
+from symhaptic.book.report.stated import stated
 from symhaptic.book.report.tree import (
     Part,
     as_sentence,
@@ -170,19 +171,37 @@ def _theorem(block: Block, lead: str, place: Place) -> list[Node]:
 
 
 def _claimed(block: Block, place: Place) -> list[Node]:
-    """A theorem with what it rests on."""
+    """A theorem with what it rests on: in formulas where a reader follows them, and formally."""
+    out: list[Node] = []
+    method: Part = words(block.method)
+    numbers: list[Node] = []
+    if block.theorem is not None:
+        out = _in_formulas(block.theorem, block.boxed)
+        method = by([block.theorem], place.shown, "by ") or method
+        told = evidence(block.theorem, place.shown)
+        numbers = [container("numbers", paragraph(words(as_sentence(told))))] if told else []
     given, then = block.said
     said: list[Part] = [math(then), "."]
     if given:
         said = ["Let ", *listed(map(math, given)), ". Then ", *said]
-    method: list[Part] = [words(block.method)]
-    numbers: list[Node] = []
-    if block.theorem is not None:
-        method.append(by([block.theorem], place.shown))
-        told = evidence(block.theorem, place.shown)
-        numbers = [container("numbers", paragraph(words(as_sentence(told))))] if told else []
-    kinds = "claim boxed" if block.boxed else "claim"
-    return [container(kinds, paragraph(said)), *numbers, _verdict(block, place, method)]
+    formal = only("site", container("claim", paragraph(said)))
+    return [*out, *formal, *numbers, _verdict(block, place, method)]
+
+
+def _in_formulas(theorem: Theorem, boxed: bool) -> list[Node]:
+    """Conditions and conclusion of a theorem; nothing where only a program would read them."""
+    found = stated(theorem)
+    if found is None:
+        return []
+    given = listed(map(math, found.given))
+    out: list[Node] = []
+    if found.let:
+        lead: Part = ["Let ", given, " and"] if given else "Let"
+        out = [paragraph(lead), container("formula", display(found.let, aligned=True))]
+    if lead := "Then" if found.let else ["For ", given, ":"] if given else "":
+        out.append(paragraph(lead))
+    shown = display(found.then, aligned=True)
+    return [*out, container("formula boxed" if boxed else "formula", shown)]
 
 
 def by(
@@ -292,7 +311,7 @@ def _printed(item: Settled, place: Place) -> nodes.container:
 
 
 def claimed(verdict: Verdict) -> list[Node]:
-    """What a statement claims, formally: for the site, which print leads to."""
+    """What a statement claims, formally: for the site."""
     if not verdict.proposition:
         return []
     return only("site", container("claim", paragraph("Claims ", math(verdict.proposition), ".")))
@@ -313,7 +332,8 @@ def _grounds(item: Settled, place: Place) -> list[Node]:
     if judged is None:
         other = item.verdict.kind is not Kind.EXTERNAL
         return only("site", paragraph(words(item.verdict.method))) if other else []
-    ground = paragraph("a theorem", by([judged.theorem], place.shown), classes=["ground"])
+    shown = by([judged.theorem], place.shown, "by ") or "a theorem of the kernel"
+    ground = paragraph(shown, classes=["ground"])
     return [ground, *_foreign(checked(item.statement.id, judged))]
 
 

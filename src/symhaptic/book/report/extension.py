@@ -55,6 +55,9 @@ def kept(folder: str) -> Kept:
     return Kept(trees, places, frozenset(label(node["to"], node["at"]) for node in found))
 
 
+FOLDED = "<details><summary>Formal proposition</summary>", "</details>"
+"""What a formal proposition stands between: a reader opens it."""
+
 _AS_TYPED = (nodes.literal, nodes.literal_block, nodes.math, nodes.math_block, nodes.raw)
 
 
@@ -70,6 +73,9 @@ class Tree(SphinxDirective):
         for node in list(found.findall(nodes.Element)):
             if node.get("only") == "print":
                 node.parent.remove(node)
+            elif "claim" in node["classes"]:
+                ends = (nodes.raw("", end, format="html") for end in FOLDED)
+                node[:] = [next(ends), *node, next(ends)]
             elif isinstance(node, Link):
                 node.replace_self(self._led(node, known.labels))
             elif "to" in node:

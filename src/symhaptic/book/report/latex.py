@@ -10,13 +10,10 @@ from docutils import nodes
 from docutils.nodes import Element, Node
 
 from symhaptic.book.parts import titles
-from symhaptic.book.report.breaking import in_margin, running, stack, width
+from symhaptic.book.report.breaking import in_margin, running, stack
 from symhaptic.book.report.chapter import reference
-from symhaptic.book.report.tree import Link, as_sentence, label, place_of, words
+from symhaptic.book.report.tree import Link, as_sentence, place_of, words
 from symhaptic.proof.theorems.axioms import AXIOMS
-
-LONG_CLAIM = 110.0
-"""Width of a theorem in em from which on print names it, and leads to the site for the formula."""
 
 BESIDE = 110
 """Letters of what something rests on up to which the margin lists it all."""
@@ -196,18 +193,23 @@ def _(node: nodes.container) -> list[str]:
 
 
 def _step(node: nodes.container) -> list[str]:
-    """A reason, then the formula or the theorem with its number and its verdict beside it."""
+    """A reason, then formulas, the last with its number and its verdict beside it.
+
+    A theorem has below it what it rests on; one without a formula has its number in the text.
+    """
     *before, verdict = node.children
     assert isinstance(verdict, Element)
+    claimed = any(_is(child, "claim") for child in before)
+    formulas = [child for child in before if _is(child, "formula")]
+    tag = _tag(verdict, claimed)
     out: list[str] = []
     for child in before:
-        if _is(child, "formula"):
-            out += _formula(child, verdict)
-        elif _is(child, "claim"):
-            out += _claim(child, verdict)
-        elif not _is(child, "numbers"):
+        if child in formulas:
+            out += _formula(child, tag if child is formulas[-1] else r"\notag")
+        elif isinstance(child, nodes.paragraph):
             out += [inline(child)]
-    if any(_is(child, "claim") for child in before):
+    if claimed:
+        out += [] if formulas else [f"\\formal{{{tag}}}"]
         found = [inline(child) for child in before if _is(child, "numbers")]
         out += [f"\\numbers{{{' '.join([as_sentence(_method(verdict)), *found])}}}"]
     return [*out, ""]
@@ -229,38 +231,27 @@ def _beside(node: Element) -> str:
     if letters(shown) <= BESIDE or len(facts) < 2:
         return shown
     named = [inline(one) for one in links if one not in facts]
-    return f"{shown.partition(' by ')[0]} by {', '.join([*named, f'{len(facts)} axioms'])}"
+    return f"{shown[: shown.index('by ')]}by {', '.join([*named, f'{len(facts)} axioms'])}"
 
 
-def _formula(node: Element, verdict: Element) -> list[str]:
-    rows = node[0]["rows"]
+def _tag(verdict: Element, claimed: bool) -> str:
+    """The number of a step and its verdict; of a theorem, what it rests on stands elsewhere."""
     beside = f"\\quad paper ({literally(verdict['paper'])})" if verdict["paper"] else ""
     kind, number = verdict["verdict"], verdict["number"]
-    tag = f"\\tag*{{({number})\\verdict{{{kind}}}{{{kind}{beside}}}{{{_method(verdict)}}}}}"
+    how = "" if claimed else _method(verdict)
+    place = f"\\theoremplace{{{number}}}\\theoremrow{{{number}}}" if claimed else f"({number})"
+    return f"{place}\\verdict{{{kind}}}{{{kind}{beside}}}{{{how}}}"
+
+
+def _formula(node: Element, tag: str) -> list[str]:
+    rows = node[0]["rows"]
+    tag = tag if tag == r"\notag" else f"\\tag*{{{tag}}}"
     body = [f"{row}\\notag\\\\" for row in rows[:-1]] + [f"{rows[-1]}{tag}"]
     if "boxed" in node["classes"]:
         inner = " \\\\ ".join(rows)
         inner = rf"\begin{{aligned}}{inner}\end{{aligned}}" if rows[1:] else inner.replace("&", "")
         body = [f"\\boxed{{\\;{inner}\\;}}{tag}"]
     return ["\\begin{align*}", *body, "\\end{align*}"]
-
-
-def _claim(node: Element, verdict: Element) -> list[str]:
-    """A theorem, what it is, and beside it what it rests on."""
-    kind, number = verdict["verdict"], verdict["number"]
-    shown = sum(width(formula.astext()) for formula in node.findall(nodes.math))
-    said = inline(node) if shown <= LONG_CLAIM else f"\\onsite{{{_site(node, 'theorem', number)}}}"
-    place = f"\\theoremplace{{{number}}}\\theoremrow{{{number}}}"
-    box = "boxedclaim" if "boxed" in node["classes"] else "claim"
-    return [f"\\{box}{{{said}}}{{{place}}}{{{kind}}}"]
-
-
-def _site(node: Element, to: str, at: str) -> str:
-    """Where the site has the formula that print leaves out."""
-    above = node
-    while "code" not in above:
-        above = above.parent
-    return f"{above['at']}.html\\#{nodes.make_id(label(to, at))}"
 
 
 def letters(ground: str) -> int:
@@ -290,8 +281,6 @@ def _statement(node: nodes.container) -> list[str]:
     place = f"\\statement{to}{{{place_of('statement', id)}}}" + (
         place if to == "place" else f"{{{place}}}"
     )
-    if any(_is(one, "claim") for one in body):
-        place += f"\\\\\\claimed{{{_site(node, node['to'], id)}}}"
     lines = [_within(one) for one in body if one.get("only") != "site"]
     beside = [one for one in verdict.children if one.get("only") != "site"]
     grounds = [as_sentence(_beside(one)) for one in beside if "ground" in one["classes"]]

@@ -18,6 +18,7 @@ document.addEventListener("DOMContentLoaded", () => {
   }
   wide();
   addEventListener("resize", wide);
+  addEventListener("toggle", wide, true);
   addEventListener("scroll", ({ target }) => { if (target.dataset?.more) target.dataset.more = arrow(target); }, { capture: true, passive: true });
   for (const table of document.querySelectorAll("table.ledger")) ledger(table);
 });
