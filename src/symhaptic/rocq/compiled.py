@@ -26,9 +26,9 @@ from symhaptic.rocq.preludes import PRELUDES, code, text_mark
 from symhaptic.rocq.shared import FOLDER, Seen
 
 INSTALL = "coqc is not found; on Debian: apt install coq libcoq-interval"
-SECONDS = 60
+SECONDS = 300
 """So long may one lemma take."""
-TOGETHER = 600
+TOGETHER = 1800
 """So long may those of a chapter take that are read one by one; the rest is left open."""
 _ROOM = {"OCAMLRUNPARAM": "s=32M,o=1000"}
 """Memory that is collected seldom: terms are large, and Rocq ends soon; some 1.4 GB at most."""
@@ -67,7 +67,7 @@ def prelude_compiled(folder: Path) -> None:
     """Compile the preludes; raises :class:`NoRocq` where that fails."""
     for path in PRELUDES:
         if not (folder / path.name).with_suffix(".vo").is_file():
-            done = _compiled(folder, path.stem, SECONDS * 10)
+            done = _compiled(folder, path.stem, SECONDS * 2)
             if done.returncode:
                 last = (done.stderr.strip().splitlines() or ["no message"])[-1]
                 why = "is libcoq-interval installed?"
