@@ -1,12 +1,17 @@
 """Verdicts on walls beside the exported C, and how many walls need which stage.
 
 `.venv/bin/pytest benchmarks/test_filter.py --benchmark-only -s`; ratios within one run count.
+`python benchmarks/test_filter.py` compiles the kernels for one instruction set after the other.
 `WALLS=1000000` compares so many hard walls with balls, at some 0.5 ms each.
 """
 
 import os
 import shutil
+import subprocess
+import sys
 import time
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
@@ -51,11 +56,9 @@ def seconds(work, rounds=5):
     return min(times)
 
 
-@pytest.mark.parametrize("fraction", [False, True])
-def test_beside_exported_c(benchmark, tmp_path, fraction):
-    if shutil.which("gcc") is None:
-        pytest.skip("no gcc here: nothing to compare with")
-    exported = compiled(request.chosen(["is_stable"])[0], tmp_path)
+def beside_exported_c(folder, fraction):
+    """Print the times of a wall; return the walls."""
+    exported = compiled(request.chosen(["is_stable"])[0], folder)
     rows = ordinary(fraction)
     one = [*rows[:2], *(float(row[0]) for row in rows[2:])]
     c = seconds(lambda: exported(rows)) / COUNT
@@ -65,7 +68,14 @@ def test_beside_exported_c(benchmark, tmp_path, fraction):
     print(f"\n    exported C {1e9 * c:.0f} ns; is_stable {ns[0]}; one device {ns[1]}; "
           f"certified {ns[2]}", end="")  # fmt: skip
     assert np.array_equal(symhaptic.is_stable(*rows), exported(rows)[0] != 0)
-    benchmark(symhaptic.is_stable, *rows)
+    return rows
+
+
+@pytest.mark.parametrize("fraction", [False, True])
+def test_beside_exported_c(benchmark, tmp_path, fraction):
+    if shutil.which("gcc") is None:
+        pytest.skip("no gcc here: nothing to compare with")
+    benchmark(symhaptic.is_stable, *beside_exported_c(tmp_path, fraction))
 
 
 def test_stages_of_hard_walls(benchmark):
@@ -87,3 +97,28 @@ def test_stages_of_hard_walls(benchmark):
           f"{int((~sure).sum())}", end="")  # fmt: skip
     assert wrong == lied == 0
     benchmark(symhaptic.is_stable, *rows)
+
+
+def with_set(architecture):
+    """Compile a copy of the package for this instruction set alone, and print its times."""
+    with TemporaryDirectory() as folder:
+        tree = Path(folder) / "tree"
+        shutil.copytree(Path(__file__).parents[1], tree,
+                        ignore=shutil.ignore_patterns(".*", "*.so", "build"))  # fmt: skip
+        flags = f"-DONE_SET -march={architecture}"
+        build = [sys.executable, "setup.py", "--quiet", "build_ext", "--inplace"]
+        subprocess.run(
+            build, cwd=tree, env={**os.environ, "CFLAGS": flags, "CXXFLAGS": flags}, check=True
+        )
+        run = [sys.executable, str(tree / "benchmarks" / Path(__file__).name), folder]
+        subprocess.run(run, env={**os.environ, "PYTHONPATH": str(tree / "src")}, check=True)
+
+
+if __name__ == "__main__":
+    if sys.argv[1:]:
+        for fraction in (False, True):
+            beside_exported_c(Path(sys.argv[1]), fraction)
+    else:
+        for architecture in ("x86-64", "x86-64-v3", "x86-64-v4"):
+            print(f"\n{architecture}", end="", flush=True)
+            with_set(architecture)
