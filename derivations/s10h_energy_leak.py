@@ -82,7 +82,7 @@ def derive(page):
     )
 
 
-# A spring is passive just where the damper bears hold and delay.
+# A spring is passive if and only if the damper dissipates what hold and delay add.
 
 HERE = Given(T > 0, b > 0, d >= 0, K >= 0, whole(d))
 
@@ -114,7 +114,7 @@ def without_delay(rule: Any) -> Theorem:
 
 
 def differs(rule: Any, point: Mapping[Any, Any]) -> Theorem:
-    """That a rule and passivity differ at a wall in numbers, with an integer delay."""
+    """The rule and passivity disagree for one wall with an integer delay."""
     exact = inst(behind_a_delay(b >= K * T / 2 + K * d * T), point)
     exact = closed(exact, *map(fact, exact.hypotheses))
     bound, passive = exact.conclusion.of  # type: ignore[attr-defined]

@@ -48,7 +48,7 @@ def derive(page):
 
 
 def _settle(page):
-    """Under (2) and F_E the device moves as under (3) and F_E less what the arm needs."""
+    """(2) with F_E and (3) with F_E less the force on the arm give the same motion."""
     symbols, _, then = taken_apart(page.claim("s2d-arm-in-force"))
     together, alone = then.of
     there, back = (

@@ -121,5 +121,5 @@ def _settle(page):
 
 
 def passive(point):
-    """The wall of a point is passive, without delay."""
+    """The wall of this point is passive without delay."""
     return passive_in_numbers({K: point[alpha], B: point[beta], b: point[delta], T: S.One})

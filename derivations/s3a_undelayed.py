@@ -62,7 +62,7 @@ def derive(page):
     off = either(OFF_BORDER.at(easy), identity(S.Zero, S.Zero))
 
     def broken(whole_claim):
-        """(6) does not sum up (5) on the border."""
+        """At equality (6) is not equivalent to (5)."""
         there = whole_claim.at(border)
         summed = conjunct(assume(there), same.at(border))
         return not_intro(mp(summed, met), not_six(border), there)
@@ -106,7 +106,7 @@ def derive(page):
 
 
 def upper_part(page):
-    """(6) for walls that damp."""
+    """(6) for walls with B >= 0."""
     found = page.lemma("For $B\\ge0$ the summary (6) is $b>\\frac{KT}2+B$", damped_side())
     page.settle(
         "s3c-upper-part",

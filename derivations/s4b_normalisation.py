@@ -95,7 +95,7 @@ def derive(page):
 
 
 def _equivalent(page, form):
-    """(14) is right for every device that it does not turn to 0/0."""
+    """(14) is right for every device for which it is not 0/0."""
     claim = page.claim("eq14")
     apart = [Ne(c_1, 0), Ne(gamma, 0)]
     page.settle(
@@ -113,7 +113,7 @@ def _equivalent(page, form):
 
 
 def _abbreviations(page, *forms):
-    """(15) is (13) in the numbers of Table I."""
+    """(15) is (13) in the parameters of Table I."""
     claim = page.claim("eq15")
     _, given, then = taken_apart(claim)
     names = definitions(given)

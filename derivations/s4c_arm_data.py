@@ -66,7 +66,7 @@ def derive(page):
 
 
 def series(page):
-    """Of two springs one after the other each is stiffer than both."""
+    """Two springs in series are less stiff than each of them."""
     symbols, given, then = taken_apart(page.claim("s4c-series"))
     k = symbols[0]
     found = []
@@ -88,12 +88,12 @@ def series(page):
 
 
 def ratios(column):
-    """Stiffness (1) or damping (2) per mass, by article."""
+    """The ratio of stiffness (column 1) or damping (column 2) to mass, by article."""
     return {authors: numbers[column] / numbers[0] for authors, numbers in ROWS.items()}
 
 
 def converted(page):
-    """The numbers of two rows, recognised; each rounds to what is printed."""
+    """Two rows are conversions of simple numbers; each number rounds to the published one."""
     daniel, lawrence = TABLE_II[0], TABLE_II[6]
     force = POUND * GRAVITY / INCH
     page.say(
@@ -126,7 +126,7 @@ def converted(page):
 
 
 def rounded(value, printed):
-    """A number that rounds to the printed decimal: less than half a unit of its last digit away."""
+    """The number differs from the published decimal by less than half a unit of the last digit."""
     digits = len(printed.partition(".")[2])
     half = Rational(1, 2 * 10**digits)
     off = (value - Rational(printed)) ** 2

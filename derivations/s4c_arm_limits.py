@@ -25,7 +25,7 @@ def derive(page):
 
 
 def largest(page):
-    """(21): largest ratios of the rows that are kept, the second rounded up to its last digit."""
+    """(21): the largest ratios of the rows that are kept; the second is rounded up."""
     stiff, slow = (max(KEPT, key=lambda name: KEPT[name][i]) for i in (0, 1))
     printed = {row.authors: row for row in TABLE_II}
     hogan, tsuji = printed[stiff], printed[slow]

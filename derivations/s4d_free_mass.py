@@ -140,7 +140,7 @@ def concave():
 
 
 def damping_given():
-    """(alpha + 2 beta)^2 by alpha and tau."""
+    """(alpha + 2 beta)^2 in terms of alpha and tau."""
     cosine = Eq(alpha, 4 * tau**2 * cos(ANGLE))
     sine = Eq(alpha + 2 * beta, 4 * tau * sin(ANGLE))
     return combined(

@@ -77,7 +77,7 @@ def free_mass(page):
 
 
 def three_are_enough(minor, *four):
-    """Of the four inequalities the second and third are said by beta > 0."""
+    """The condition beta > 0 replaces the second and the third of the four inequalities."""
     positive_minor = Relation(S.Zero, "<", minor)
     before, after = both(four), both([alpha > 0, beta > 0, positive_minor])
     push, _, low, last = (conjunct(assume(before), p) for p in four)
@@ -98,7 +98,7 @@ def three_are_enough(minor, *four):
 
 
 def half_plane(push, brake, last):
-    """0 < PLANE: 8 beta (1 - beta) is not negative where the minor is positive."""
+    """0 < PLANE, because 8 beta (1 - beta) is positive where the minor is positive."""
     rest = positive(
         8 * beta * (1 - beta) > 0, [last], [2, *[brake] * 3], [12, push], [push, brake, brake],
         [2, push, push],

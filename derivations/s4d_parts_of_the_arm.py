@@ -83,13 +83,13 @@ def derive(page):
 
 
 def _arms(wall, mass, spring):
-    """A wall in units of mass and period, and beside it the mass and the spring of another arm."""
+    """The parameters of a loop with m = T = 1, and the mass and the spring of another arm."""
     before = {K: wall[alpha], B: wall[beta], T: S.One, m: S.One, b: wall[delta], k: wall[gamma]}
     return before | {d: wall[d]} | dict(zip(MORE, (S(mass), wall[delta], spring), strict=True))
 
 
 def _passive_wall(given):
-    """alpha = 1 and delta = 2, one period of delay: 3/2 - cos(theta) of the damping remains."""
+    """With alpha = 1, delta = 2 and one period of delay the margin is 3/2 - cos(theta)."""
     wall = {alpha: S.One, beta: S.Zero, gamma: S.Zero, delta: S(2), d: S.One}
     turn = square(1 - cos(theta)), bounded(cos, theta)
     left = combined(MARGIN.xreplace(wall) >= 0, *([S.Half, known] for known in turn), [S.Half])

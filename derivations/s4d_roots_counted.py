@@ -144,6 +144,6 @@ def _equally_large(page):
 
 
 def _size(of):
-    """Real part squared and imaginary part squared."""
+    """The square of the absolute value."""
     mirror = of.xreplace({I: -I})
     return ((of + mirror) / 2) ** 2 + ((of - mirror) / (2 * I)) ** 2

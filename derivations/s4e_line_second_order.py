@@ -53,7 +53,7 @@ def derive(page):
 
 
 def second_order(page):
-    """The line is the boundary to first order."""
+    """To first order the line is the boundary."""
     symbols = taken_apart(page.claim("s4e-linearised"))[0]
     page.settle(
         "s4e-linearised",
@@ -66,7 +66,7 @@ def second_order(page):
 
 
 def order_of_period(page):
-    """Which are of order T for a given device."""
+    """For a given device the distance is of order T."""
     claim = short_periods()
     symbols = taken_apart(claim)[0]
     page.state(

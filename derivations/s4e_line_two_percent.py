@@ -81,7 +81,7 @@ def own(page):
 
 
 def papers(page):
-    """Beside the spring of Fig. 10, for each damping beyond 0.015."""
+    """With the spring of Fig. 10, walls with such an error exist for each damping above 0.015."""
     found = inst(in_the_corner(), {gamma: STIFF})
     known = [fact(h) for h in found.hypotheses if not h.free]
     damped = positive(delta > 0, delta > THRESHOLD, [THRESHOLD])

@@ -16,7 +16,7 @@ def derive(page):
 
 
 def _robust(page):
-    """A stiff passive wall with a damper is stable with every spring, for every delay."""
+    """A passive wall with stiffness is stable with every spring and delay if b > 0."""
     robust = taken_apart(page.claim("s5c-robust-subset"))[2]
     stiff = proposition(alpha * delta > 0)
     known = assume(stiff)

@@ -112,7 +112,7 @@ def _subset(page):
 
 
 def _every_arm(page):
-    """Without a damper, or without anything that holds the mass, a passive wall does not do."""
+    """Without a damper, or without any stiffness, a passive wall need not be stable."""
     claim = page.claim("s6-subset")
     extra = [DAMPED_DEVICE, HELD]
     wall = dict.fromkeys((alpha, gamma, d), S.Zero)

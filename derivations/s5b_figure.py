@@ -136,11 +136,11 @@ def derive(page):
     )
 
 
-# Fig. 12: the largest stable stiffness of five delays, and how the ratio runs with the delay.
+# Fig. 12: the largest stable stiffness for five delays, and the ratio as a function of the delay.
 
 
 def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:
-    """A wall of the boundary is as stiff as all stable ones, and one of these nearly as it."""
+    """A wall of the boundary is as stiff as all stable ones; one stable wall is nearly as stiff."""
     then = taken_apart(claim)[2]
     tip_: Any = then
     angle, (limit, bounded), (wall, stable) = (
@@ -189,7 +189,7 @@ def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:
 
 
 def rises(arm: Arm, delay: int, later: int) -> Theorem:
-    """eta(d) < rho < eta(d'), with rho between what two bounds say."""
+    """eta(d) < rho < eta(d'), where a number rho separates two bounds."""
     low = least(delay, arm[1]).conclusion.right / wall_below(arm, delay)[0][0]
     high = least(later, arm[1]).conclusion.right / none_above(arm, later)[0]
     share = rounded(float(low + high) / 2)
@@ -201,7 +201,7 @@ def rises(arm: Arm, delay: int, later: int) -> Theorem:
 
 @cache
 def drawn() -> Theorem:
-    """All of Fig. 12."""
+    """The claim of Fig. 12."""
     tips = CLAIMED["fig12"](()).of[0]
     symbols, given, then = taken_apart(tips)
 

@@ -78,7 +78,7 @@ def derive(page):
 
 
 def changes(page):
-    """With the delay and with the damping, in terms of the stiffness."""
+    """The largest robustly stable stiffness as a function of delay and damping."""
     page.settle(
         "s5c-robust-shrinks",
         shrinks(),
@@ -97,7 +97,7 @@ def changes(page):
 
 
 def left_open(page):
-    """What no theorem decides."""
+    """The statements that no theorem decides."""
     page.say(
         r"Three statements remain open. For $\delta=0.02$ and the delays 0, 1, 2, 4 and 8 each "
         "computed outline of the robustly stable region lies inside the previous one. For the "
