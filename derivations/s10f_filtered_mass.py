@@ -96,9 +96,8 @@ def _delay(page, printed, soft):
         example=soft | {K: S.One / 8},
         unless={LITTLE: (strong, escapes(LOW_PASS, strong))},
         shows=r"for $m=T=\tau_f=B=1$ the rule allows $K<\tfrac23$, but $K=\tfrac12$ is unstable",
-        note=r"at the origin the rule is too strict by the factor $1+2\tau_f/T$. From "
-        r"$B=2m\tau_f/(T(T+4\tau_f))$ on, the rule allows unstable walls; for $\tau_f=0$ it does "
-        "so for every $B$",
+        note=r"at the origin the rule is too strict by the factor $1+2\tau_f/T$. The rule allows "
+        r"unstable walls from $B=2m\tau_f/(T(T+4\tau_f))$ on, and for every $B$ if $\tau_f=0$",
     )
 
 

@@ -148,7 +148,8 @@ def _numbers(page):
         "coupling:ratio",
         "5–12×",
         r"4.8\ \text{to}\ 6",
-        "the record itself names 0.4 to 0.5 kg; of half of it the ratio would be 9.6 to 12",
+        "the record itself names 0.4 to 0.5 kg; with half of this mass the ratio would be 9.6 to "
+        "12",
     )
 
 

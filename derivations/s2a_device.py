@@ -18,7 +18,7 @@ def derive(page):
         "two equations of motion, so that masses, dampings and stiffnesses add up."
     )
     both = page.step(
-        "Two bodies with one position have one mass, one damper and one spring",
+        "Two bodies with the same position act as one mass, one damper and one spring",
         device + arm,
         (m_D + m_H) * s**2 + (b_D + b_H) * s + k_H,
         paper="2",

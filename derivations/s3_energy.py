@@ -95,8 +95,8 @@ def _settle(page, condition):
         "stiffness of a wall is $H(1)=h_0+h_1+h_2$."
     )
     page.lemma(
-        "From a wall $(h_0+h_1/z+h_2/z^2)z^{-d}$ no motion gains energy if and only if it has "
-        r"$H(1)\ge0$ and meets (4) at each angle, with $\ge$ in place of $>$",
+        "No motion gains energy from a wall $(h_0+h_1/z+h_2/z^2)z^{-d}$ if and only if the wall "
+        r"has $H(1)\ge0$ and meets (4) at each angle, with $\ge$ in place of $>$",
         exactly(),
         because="condition (4) is sufficient, as the paper says, and necessary except for equality",
     )

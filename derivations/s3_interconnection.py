@@ -1,6 +1,6 @@
 """Is a connection of passive systems passive and stable?
 
-Designers use passivity because connected passive systems are passive again. We ask for which
+Designers use passivity because an interconnection of passive systems is passive. We ask for which
 connections this is true, and which kind of stability follows.
 """
 

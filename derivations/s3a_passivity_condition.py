@@ -93,7 +93,7 @@ def _settle(page, printed):
     enough = follows(passive_by_angle(), assume(K >= 0), margins(frequencies))
     page.lemma(r"With an integer delay a wall with $K\ge0$ that meets (5) is passive", enough)
     needed = page.lemma(
-        "With an integer delay every passive wall meets (5), except for equality",
+        r"With an integer delay every passive wall meets (5) with $\ge$ in place of $>$",
         frequencies_met(frequencies),
         because="the energy of a motion near one frequency is given by the margin at this "
         "frequency",

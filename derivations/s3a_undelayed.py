@@ -81,7 +81,7 @@ def derive(page):
     both = taken_apart(page.claim("eq6"))[2]
     page.lemma(r"A wall with $K\ge0$ that meets (6) is passive", passive())
     deciding = page.lemma(
-        "Without delay every passive wall meets (6), except for equality",
+        r"Without delay every passive wall meets (6) with $\ge$ in place of $>$",
         decides(),
         because=r"a strict inequality at every angle holds with $\ge$ in the limits at $0$ and "
         r"$\pi$",

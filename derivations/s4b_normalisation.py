@@ -14,8 +14,8 @@ from symhaptic.model.plant import sampled
 
 def derive(page):
     page.say(
-        "Let time run in periods, so that $s$ becomes $s/T$, and measure forces per length in "
-        "units of $m/T^2$. Newton's law and the wall then become:"
+        "We measure time in periods, so that $s$ becomes $s/T$, and force per length in units of "
+        "$m/T^2$. Newton's law and the wall then become:"
     )
     motion = page.step(
         r"Two numbers, $\gamma$ and $\delta$, describe the device",
@@ -23,7 +23,7 @@ def derive(page):
         s**2 + b * T / m * s + k * T**2 / m,
         name=r"\tfrac{T^2}{m}\bigl(m\tfrac{s^2}{T^2}+b\tfrac sT+k\bigr)",
     )
-    page.define("The wall, (1)", Function("H")(z), wall.transfer())
+    page.define("The wall has the transfer function (1)", Function("H")(z), wall.transfer())
     force = page.step(
         r"Two numbers, $\alpha$ and $\beta$, describe the wall",
         wall.transfer() * T**2 / m,

@@ -139,7 +139,10 @@ def _scenes(page):
         (1 - cos(Omega)) * (z + 1) / (Omega**2 * (z**2 - 2 * cos(Omega) * z + 1)),
         name=r"P(z)\big|_{\delta=0}",
     )
-    page.say("By exact series, each of these transfer functions is the limit of a larger one:")
+    page.say(
+        "Each of these transfer functions is the limit of that of a device with one more "
+        "part, by exact series:"
+    )
     general = plant.sampled(plant.normalised(Parts()), split=c).transfer.subs(
         gamma, (delta**2 - c**2) / 4
     )

@@ -23,7 +23,7 @@ def derive(page):
         r"damping ratio of each arm is $\zeta=b_H/(2\sqrt{k_Hm_H})$:"
     )
     page.table(
-        "From the published decimals of Table II, rounded.",
+        "Ratios of the arms, rounded, from the published decimals of Table II.",
         ["article", "$k_H/m_H$ in s$^{-2}$", "$b_H/m_H$ in s$^{-1}$", "$\\zeta$"],
         [
             [
@@ -117,7 +117,7 @@ def converted(page):
         (r"1\,\mathrm{lbf\,s/in}", force, lawrence.damping),
     )
     page.enclosed(
-        "These are the values in SI units",
+        "The two rows have these values in SI units",
         [(name, value) for name, value, _ in found],
         because="the paper gives 39.5, 12.6, 17.51, 175.1 and 175.1",
         places=6,

@@ -45,7 +45,7 @@ def derive(page):
         note="the statement is proved without delay. The spring is the stiffest of (23), with "
         "the smallest and the largest damping. The damper may have any damping in the range "
         "(23). The mass is twice that of the arm of Figs. 11 and 12. A single wall can lose its "
-        "stability (s4d-all-stabilising)",
+        r"stability (\texttt{s4d-all-stabilising})",
     )
 
 

@@ -129,7 +129,8 @@ def _settled(page):
     page.settle_external(
         "s4d-explicit-only-undelayed",
         "what was derived in [15] and [12]",
-        "an explicit boundary for every spring and delay is our own result (explicit-boundary)",
+        "an explicit boundary for every spring and delay is our own result "
+        r"(\texttt{explicit-boundary})",
     )
 
 

@@ -61,7 +61,7 @@ def start(page):
         ("to the right", stiffness + gamma, right, r"\alpha(\theta)+\gamma"),
         ("up", damping + s_1 + d * gamma, up, r"\beta(\theta)+s_1+d\gamma"),
     ):
-        title = f"From its start the boundary goes {way} in the second order"
+        title = f"To second order the boundary goes {way} from its start"
         name = rf"\frac{{{name}}}{{\theta^2}}"
         page.limit(title, moved / theta**2, theta, S.Zero, value, name=name)
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)

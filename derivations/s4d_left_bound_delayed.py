@@ -88,8 +88,8 @@ def _settled(page):
         example={alpha: S.Zero, gamma: S.Zero, delta: S.Zero},
         note=r"for $d\ge1$ inside (23) we show only $\alpha>-\gamma$. At the limits of (23), for "
         "$d=1$ and $d=2$, some stable walls are within the thickness of a printed line of this "
-        "bound (fig9). With a spring that is stiffer than (23), the region may not reach the "
-        r"line, as for $\sqrt\gamma=\tfrac23\pi$, $d=1$ and $\delta=0$",
+        r"bound (\texttt{fig9}). With a spring that is stiffer than (23), the region may not "
+        r"reach the line, as for $\sqrt\gamma=\tfrac23\pi$, $d=1$ and $\delta=0$",
     )
     page.say(
         r"For a damped device without delay, or with one period of delay and $\gamma<2\delta$, "

@@ -52,7 +52,7 @@ def derive(page):
         grown(then),
         example=point,
         note="the statement is proved without delay only; with a stiff spring it is false "
-        "(damping-destabilises)",
+        r"(\texttt{damping-destabilises})",
     )
     page.say(
         r"For stiffer springs the statement is false. Take $\gamma=5$, $\alpha=-4$, $\beta=5.9$ "

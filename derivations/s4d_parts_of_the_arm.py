@@ -76,9 +76,9 @@ def derive(page):
             (_arms(light, 2, S.Zero), steady, falls),
         ],
         shows="some wall is stable with a free mass and unstable with a spring of (23)",
-        note="the correction concerns single walls. Twice the mass destabilises a wall at "
-        "$d=1$, and outside (23) more damping can destabilise a wall. Without delay, none of "
-        "the three parts reduces the area (s4d-all-stabilising-area)",
+        note="the correction concerns single walls. Twice the mass destabilises a wall at $d=1$, "
+        "and outside (23) more damping can destabilise a wall. Without delay, none of the three "
+        r"parts reduces the area (\texttt{s4d-all-stabilising-area})",
     )
 
 

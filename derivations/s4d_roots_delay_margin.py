@@ -13,9 +13,9 @@ from symhaptic.book.lemmas.stability import stable_at, unstable_at
 def derive(page):
     page.say(
         "Let $h=-NW/A$. A root is a point where $z^{d+1}=h(z)$, and in this equation the delay "
-        r"may be any real number (principal sheet). The root moves with the delay by $(d+1)\ln "
-        r"z=\ln h$. Let $u+jw=z\,h'/h$ at $z=e^{j\theta}$; the imaginary part determines the "
-        "direction of the root:"
+        r"may be any real number (principal sheet). The equation $(d+1)\ln z=\ln h$ describes how "
+        r"the root moves with the delay. Let $u+jw=z\,h'/h$ at $z=e^{j\theta}$; the imaginary "
+        "part determines the direction of the root:"
     )
     page.step(
         "With growing delay, a root on the circle moves outwards if $w$ is positive",

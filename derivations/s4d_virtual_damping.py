@@ -39,7 +39,7 @@ def derive(page):
         boxed=True,
     )
     page.say(
-        r"Examples are for the largest spring and damper of (23), $\gamma=0.001$ and "
+        r"The examples have the largest spring and damper of (23), $\gamma=0.001$ and "
         r"$\delta=0.02$, and the stiffness $\alpha=0.05$:"
     )
     for delay, low, high in ((0, "1.9", "2.1"), (1, "0.7", "0.9")):

@@ -80,7 +80,7 @@ def stiffness(page, whole):
         "the spring",
         note="the statement holds for Routh's condition for the lag. Condition (24) does not "
         "contain $k$, because it drops the term with $k$. The lower limit $K>-k$ is exact for "
-        "the lag ($a_0=k+K$) and necessary for the sampled loop (s4d-left-bound)",
+        r"the lag ($a_0=k+K$) and necessary for the sampled loop (\texttt{s4d-left-bound})",
     )
 
 

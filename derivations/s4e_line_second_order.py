@@ -60,8 +60,8 @@ def second_order(page):
         linearised(),
         example=dict.fromkeys(symbols, S.Zero),
         note=r"the line is the first order in $\alpha$, $\gamma$ and $\delta$ together, for $d=0$ "
-        "and $d=1$. For a single arm the line is not the tangent (linear-tangent): without a "
-        r"spring the boundary starts at $(0,-\delta)$ with a smaller slope",
+        r"and $d=1$. For a single arm the line is not the tangent (\texttt{linear-tangent}): "
+        r"without a spring the boundary starts at $(0,-\delta)$ with a smaller slope",
     )
 
 

@@ -90,10 +90,10 @@ def papers(page):
         "s4e-two-percent",
         every,
         example={delta: DAMPED},
-        note="the damping 0.015 is not a threshold. For every arm of (23) with "
-        r"$\gamma\delta>0$, walls with such an error exist next to the corner at "
-        r"$\alpha=-\gamma$ (linear-error-corner). With $\alpha\ge0$ they exist for "
-        r"$\delta\ge0.01481$ if $d=1$ and for $\delta\ge0.01744$ if $d=0$ (linear-two-percent)",
+        note=r"the damping 0.015 is not a threshold. For every arm of (23) with $\gamma\delta>0$, "
+        r"walls with such an error exist next to the corner at $\alpha=-\gamma$ "
+        r"(\texttt{linear-error-corner}). With $\alpha\ge0$ they exist for $\delta\ge0.01481$ if "
+        r"$d=1$ and for $\delta\ge0.01744$ if $d=0$ (\texttt{linear-two-percent})",
     )
 
 

@@ -69,9 +69,9 @@ def derive(page):
         "So the two largest stiffnesses are never equal. The passive wall of maximum stiffness "
         r"is stable, and so is a slightly stiffer one: $\eta<1$ for every integer delay. For "
         r"$\delta=0.02$ the tip has the angle $\pi/(2(d+1))$ near $d=122$ without a spring, and "
-        r"near $d=40$ with $\gamma=0.001$. At these delays, $\eta$ exceeds $0.9999$ and "
-        "$0.9998$, respectively, and looks like 1 in a figure. For longer delays the angle of "
-        "the tip increases:"
+        r"near $d=40$ with $\gamma=0.001$. At these delays, $\eta$ exceeds $0.9999$ and $0.9998$, "
+        "respectively, and looks like 1 in a figure. For longer delays the tip has "
+        r"$(d+1)\theta>\frac\pi2$:"
     )
     far = symbols("u")
     page.limit(

@@ -57,7 +57,7 @@ def derive(page):
         (
             "stiffest-wall",
             "with an integer delay no stable wall is as stiff as the boundary at such an angle "
-            r"at which $d\alpha/d\theta=0$ and $d\beta/d\theta>0$",
+            r"if also $d\alpha/d\theta=0$ and $d\beta/d\theta>0$",
             tips(),
             all_tips(),
         ),

@@ -25,7 +25,7 @@ def derive(page):
     )
     for which, name, number in (("first", n_1, device.n1), ("second", n_0, device.n0)):
         page.step(
-            f"Without damping the {which} number of the numerator has one cosine",
+            f"Without damping the {which} coefficient of the numerator contains one cosine",
             number.subs(swing),
             (1 - cos(Omega)) / Omega**2,
             name=name,

@@ -149,7 +149,7 @@ def derive(page):
     point, held = stands()
     page.settle("fractional-half-mass", found, example=(point, held))
     found = page.lemma(
-        "Some wall is stable in the paper's reading and unstable",
+        "Some wall is stable in the paper's reading and unstable in the exact loop",
         one_error(),
         because=r"the wall $(\alpha,\beta)=(\tfrac1{15},\tfrac{16}{15})$ lies between the two "
         r"boundaries for $\ell=0$, and balls around all roots prove both statements",
@@ -157,7 +157,7 @@ def derive(page):
     page.state(
         "fractional-half-mass-apart",
         "with a delay of half a period some wall is stable for a free mass in the paper's "
-        "reading, the principal sheet, and unstable",
+        "reading, the principal sheet, and unstable in the exact loop",
         claim=read_too_largely(),
     )
     page.settle("fractional-half-mass-apart", found)

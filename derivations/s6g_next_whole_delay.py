@@ -98,8 +98,8 @@ def room(size):
 #
 # At one angle theta = 2 psi the wall u = K T/(2 b), w = (B + K T/2)/b is written w = r sin kappa
 # and u cot psi = r cos kappa.  Let N = 2 (l + 2) and chi = N psi - kappa.  The next integer delay
-# requires the damping b r sin chi, and the margin over b^2 is 1 - r ((1 - epsilon) sin (chi - 2 psi)
-# + epsilon sin chi) - epsilon (1 - epsilon) r^2 sin^2 psi.
+# requires the damping b r sin chi, and the margin over b^2 is
+# 1 - r ((1 - epsilon) sin (chi - 2 psi) + epsilon sin chi) - epsilon (1 - epsilon) r^2 sin^2 psi.
 
 CHI = N * psi - kappa
 STIFF, DAMPED = 2 * b * r * cos(kappa) * tan(psi) / T, b * r * (sin(kappa) - cos(kappa) * tan(psi))

@@ -27,13 +27,13 @@ def derive(page):
             1,
             gamma + alpha,
             r"At $\zeta=1$ the polynomial is a multiple of $\gamma+\alpha$",
-            "positive if all roots are inside",
+            "the value is positive if all roots lie inside",
         ),
         (
             -1,
             alpha - gamma,
             r"At $\zeta=-1$ the polynomial is a multiple of $\alpha-\gamma$, for even $q$",
-            "negative if so, since the degree $3q+r$ is odd",
+            "the value is negative if all roots lie inside, since the degree $3q+r$ is odd",
         ),
     ):
         value = Eq(power * (1 - a + e) + total * alpha, total * wall)

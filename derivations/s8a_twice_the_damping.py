@@ -27,7 +27,7 @@ def derive(page):
     still = {B: S.Zero, k: S.Zero, T: S.One, m: S.One, K: S.One, b: S.Half}
     late = {alpha: S.One, beta: S.Zero, gamma: S.Zero, delta: S.Half, d: S.One}
     page.lemma(
-        r"With one period of delay the wall $K=1$ of $b=\frac12$, $m=T=1$ is not stable",
+        r"With one period of delay, $b=\frac12$ and $m=T=1$, the wall $K=1$ is not stable",
         outside(late),
     )
     page.settle(

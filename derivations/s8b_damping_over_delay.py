@@ -28,7 +28,9 @@ def derive(page):
     )
     wall = {K: S.One, T: S.One, m: S.One, b: S.One, k: S.Zero, d: S.Zero}
     braked = {alpha: S.One, beta: S(3), gamma: S.Zero, delta: S.One, d: S.Zero}
-    page.lemma("Without delay the wall $K=1$, $B=3$ of $m=T=b=1$ is not stable", outside(braked))
+    page.lemma(
+        "Without delay and with $m=T=b=1$, the wall $K=1$, $B=3$ is not stable", outside(braked)
+    )
     page.settle(
         RULE,
         found,

@@ -20,7 +20,7 @@ def derive(page):
         "spring adds energy",
         boxed=True,
     )
-    page.lemma("The wall $K=1$ of $m=T=1$ has a root outside the circle", outside(ROOTS))
+    page.lemma("With $m=T=1$ the wall $K=1$ has a root outside the circle", outside(ROOTS))
     for rule in RULES:
         symbols, (*given, _), _ = taken_apart(page.claim(rule))
         page.settle(
