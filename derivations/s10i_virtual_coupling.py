@@ -101,7 +101,7 @@ def _masses(page):
         note=r"the limit is exact for a free mass without delay; see \chapter{s10b_virtual_mass}",
     )
     found = page.lemma(
-        "A virtual mass that is stable beside a spring is stable alone",
+        "A virtual mass that is stable together with a spring is stable alone",
         fades_alone(),
         because="the product of the roots is $m_v/(2m)$ with and without the spring, and has to "
         "be less than 1",
@@ -115,7 +115,7 @@ def _masses(page):
     )
     light = {m_v: Rational(1, 4), m: S.One, K: Rational(1, 10), T: S.One}
     page.lemma(
-        "Beside the spring $KT^2/m=\\frac1{10}$ a virtual mass of $\\frac14m$ is not stable",
+        r"Together with the spring $KT^2/m=\frac1{10}$ a virtual mass of $\frac14m$ is not stable",
         escapes(SPRUNG, light),
         because="sampling adds more energy to the spring than such a light virtual mass dissipates",
     )

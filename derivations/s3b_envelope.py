@@ -1,4 +1,4 @@
-"""Which walls are on the border of passivity at a given frequency?
+"""Which walls are on the boundary of passivity at a given frequency?
 
 At one frequency the condition is a half plane in the $(K,B)$ plane, bounded by a line. As the
 frequency changes, this line moves, and the family of lines has an envelope.

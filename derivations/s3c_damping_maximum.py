@@ -37,7 +37,7 @@ def derive(page):
         name=r"B|_{\theta=\pi/(d+1)}",
     )
     bottom = page.limit(
-        "At low frequencies the border is this line",
+        "At low frequencies the boundary is this line",
         passivity.margin(),
         theta,
         S.Zero,

@@ -14,7 +14,7 @@ from symhaptic.proof.theorems.analysis import no_other_limit
 
 def derive(page):
     line = page.limit(
-        "At low frequencies the border is a line",
+        "At low frequencies the boundary is a line",
         passivity.margin(),
         theta,
         S.Zero,

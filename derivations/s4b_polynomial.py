@@ -139,10 +139,7 @@ def _scenes(page):
         (1 - cos(Omega)) * (z + 1) / (Omega**2 * (z**2 - 2 * cos(Omega) * z + 1)),
         name=r"P(z)\big|_{\delta=0}",
     )
-    page.say(
-        "Each of these transfer functions is the limit of that of a device with one more "
-        "part, by exact series:"
-    )
+    page.say("Each transfer function is the limit of that of a device with one more part:")
     general = plant.sampled(plant.normalised(Parts()), split=c).transfer.subs(
         gamma, (delta**2 - c**2) / 4
     )

@@ -1,8 +1,8 @@
 r"""How do the inequalities of Jury's criterion grow with the delay?
 
-The criterion of \chapter{s4d_jury} is applied to the loop, with the device's numbers $n_1$, $n_0$,
-$a$ and $e$ left as symbols. We ask which inequalities form the boundary of the stable region,
-whether one of them is redundant, and how large they become.
+The criterion of \chapter{s4d_jury} is applied to the loop, with the device's coefficients $n_1$,
+$n_0$, $a$ and $e$ left as symbols. We ask which inequalities form the boundary of the stable
+region, whether one of them is redundant, and how large they become.
 """
 
 from itertools import combinations

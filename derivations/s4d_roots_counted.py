@@ -16,8 +16,8 @@ def derive(page):
     top, wall, bottom = n_1 * z + n_0, (alpha + beta) * z - beta, z**2 - a * z + e
     page.say(
         "Write $p_1=f+g$ with the plant's part $f=z^{d+1}A$ and the wall's part $g=NW$, where "
-        "$A=z^2-az+e$, $N=n_1z+n_0$ and $W=(\\alpha+\\beta)z-\\beta$. A root on the circle needs "
-        "$|f|=|g|$. Let $y=4\\sin^2(\\theta/2)$, which goes from 0 at $z=1$ to 4 at $z=-1$:"
+        r"$A=z^2-az+e$, $N=n_1z+n_0$ and $W=(\alpha+\beta)z-\beta$. A root on the circle requires "
+        r"$|f|=|g|$. Let $y=4\sin^2(\theta/2)$, which goes from 0 at $z=1$ to 4 at $z=-1$:"
     )
     sizes = [
         ("A", bottom, (1 - a + e) ** 2 + ((1 - e) ** 2 - (1 - a + e) * (1 + e)) * y + e * y**2),

@@ -42,13 +42,13 @@ def derive(page):
     )
     page.lemma("Every stable wall of a free mass satisfies (25)", above_the_line(), boxed=True)
     page.say(
-        "The condition is necessary, and no wall on its border is stable. With damping some walls "
-        r"on the border are stable (\chapter{s4e_line_passive})."
+        "The condition is necessary, and no wall with equality is stable. With damping some "
+        r"walls with equality are stable (\chapter{s4e_line_passive})."
     )
     page.state(
         "linear-free-mass",
-        r"for $\gamma=\delta=0$ and integer $d$ every stable wall satisfies (25), and no wall on "
-        "its border is stable",
+        r"for $\gamma=\delta=0$ and integer $d$ every stable wall satisfies (25), and no wall "
+        "with equality in (25) is stable",
         claim=claimed(),
     )
     page.settle(

@@ -108,7 +108,7 @@ def in_its_range(page):
         "satisfies (24) and delivers energy",
         note="the statement also holds with equality in (25). Passive walls are stable with "
         r"every spring, so here (25) is safe for every $\gamma\ge0$. For fractional $d$ no wall "
-        "on the border is passive",
+        "with equality in (25) is passive",
     )
 
 

@@ -128,9 +128,9 @@ def derive(page):
     page.settle(
         "fig12",
         drawn(),
-        note="the statement is proved for integer delays: for (a) at the five delays of Fig. "
-        "11; for (b) and (c) between the delays of a list, up to 122 and 40, and at 1000. The "
-        r"ratio comes close to 1, stays below 1 and falls again. One $\delta$ stands for "
+        note="the statement is proved for integer delays: (a) for the five delays of Fig. 11; "
+        "(b) and (c) from each delay of a list to the next, up to 122 and 40, and for 1000. The "
+        r"ratio comes close to 1, stays below 1 and falls again. The same $\delta$ is used for "
         r"passivity and stability: for a device with an arm $\eta\le b_D/(b_D+b_H)$ "
         r"(\texttt{one-delta})",
     )

@@ -32,7 +32,7 @@ def derive(page):
     )
     page.say(
         r"For $\delta=0.02$ a slightly stiffer wall is robustly stable, too. Jury's inequalities "
-        "are polynomials in the numbers of the device, and balls contain these numbers for all "
+        "are polynomials in the coefficients of the device, and balls contain these for all "
         rf"springs up to $\gamma={float(STIFFEST)}$, which is beyond (30). An example has one "
         "period of delay:"
     )
