@@ -1,9 +1,9 @@
 r"""Is a virtual coupling passive if its damper exceeds $KT/2$?
 
 A laboratory renders a mass of 2.4 kg with a delta.3 device, and its design record is public. The
-record explains why a force proportional to the measured acceleration cannot do this. Instead, a
-computer simulates the mass by backward Euler, and a spring and a damper couple it to the device. We
-check each number and each relation of the record.
+record explains why a force proportional to the measured acceleration cannot render this mass.
+Instead, a computer simulates the mass by backward Euler, and a spring and a damper couple it to the
+device. We check each number and each relation of the record.
 """
 
 from symhaptic.book.lemmas.decided import SI, escapes

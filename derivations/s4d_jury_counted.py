@@ -63,9 +63,9 @@ def derive(page):
     )
     page.say("With a delay there are $d+4$ inequalities, and the largest one grows with $d$:")
     page.table(
-        r"The inequalities in $\alpha$, $\beta$ and the four coefficients of the device: their "
-        r"number, the number of half planes of the $(\alpha,\beta)$-plane among them, the number "
-        "of terms and the degrees of the largest one, and the number of its terms for a free mass.",
+        r"Number of inequalities in $\alpha$, $\beta$ and the four coefficients of the device, "
+        "number of half planes among them, terms and degrees of the largest inequality, and its "
+        "terms for a free mass.",
         [*HEAD, "free mass"],
         [row(delay) for delay in range(9)],
     )

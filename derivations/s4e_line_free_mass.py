@@ -33,7 +33,7 @@ def derive(page):
     )
     slack = 2 * beta - d * alpha
     page.step(
-        "The third inequality is the distance from the line minus a positive term",
+        "The third inequality bounds a positive term by the distance from the line",
         minors()[-1].conclusion.right * 3,
         24 * (beta - alpha * (d + HALF))
         - 3 * (d + 1) * (slack**2 + (d + 1) * alpha * slack + d * (d + 2) * alpha**2 / 3),

@@ -38,8 +38,8 @@ def derive(page):
         whole.subs(n_0, (1 - cos(Omega)) / Omega**2),
     )
     page.say(
-        r"Each zero $a$ of a polynomial $p$ adds $z/(z-a)$ to $zp'/p$, and more than $\tfrac12$ "
-        "to its real part if $|a|<1=|z|$. So, if all $d+3$ zeros of $p_1$ lie inside the "
+        "Each zero $a$ of a polynomial $p$ adds $z/(z-a)$ to $zp'/p$, and the real part of this "
+        r"term exceeds $\tfrac12$ if $|a|<1=|z|$. So, if all $d+3$ zeros of $p_1$ lie inside the "
         r"circle, $2\Re(zp_1'\bar p_1)>(d+3)|p_1|^2$ holds on the circle. Consider the angle at "
         "which the denominator of the plant vanishes:"
     )

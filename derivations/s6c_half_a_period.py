@@ -1,4 +1,4 @@
-r"""With a delay of half a period, is every wall stable that is stable in the paper's reading?
+r"""With a delay of half a period, does stability in the paper's reading imply stability?
 
 For a fractional delay the paper puts $z^{-d}=e^{-jd\theta}$ into the polynomial of an integer
 delay. We compare this with the exact polynomial for a free mass and $d=\ell+\tfrac12$. The two

@@ -232,7 +232,7 @@ def _early() -> Theorem:
 
 @cache
 def at_one_angle() -> Theorem:
-    """The margin at an angle is not negative, from the margins of the next integer delay."""
+    """The margin at an angle is not negative if those of the next integer delay are not."""
     late, early, first = beyond(_early()), before(_here()), low(_at_the_end())
     later = disj_cases(ordered(CHI, pi / 2), early, late)
     return disj_cases(ordered(CHI, psi / 2), first, later)

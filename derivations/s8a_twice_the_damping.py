@@ -1,4 +1,4 @@
-"""Is a wall stable whose stiffness is at most twice the damping over the period?
+"""Is a wall stable if its stiffness is at most twice the damping over the period?
 
 Colgate and Schenkel derived this passivity limit for a wall without virtual damping and delay.
 Some designers also use it as a rule for walls with a delay. We ask for which walls it is safe.

@@ -1,4 +1,4 @@
-"""Is a wall stable whose stiffness is below the damping over the delay?
+"""Is a wall stable if its stiffness is below the damping over the delay?
 
 This bound is the linear condition, the simplest rule for a loop with a delay. In this rule the
 hold adds half a period to $t_d$, and virtual damping counts like the damping of the device. We ask

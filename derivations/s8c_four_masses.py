@@ -1,4 +1,4 @@
-"""Is a wall stable whose stiffness is below four or two masses over the squared period?
+"""Is a wall stable if its stiffness is below four or two masses over the squared period?
 
 The two rules depend only on the mass and the period, and not on damping or delay. We test them
 with the simplest device, a free mass without delay.
