@@ -129,8 +129,7 @@ def _settled(page):
     page.settle_external(
         "s4d-explicit-only-undelayed",
         "what was derived in [15] and [12]",
-        "an explicit boundary for every spring and delay is our own result "
-        r"(\texttt{explicit-boundary})",
+        r"\texttt{explicit-boundary} gives an explicit boundary for every spring and delay",
     )
 
 

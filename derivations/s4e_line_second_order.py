@@ -46,8 +46,8 @@ def derive(page):
         "Neither $w$ nor $G$ is negative. The minor rises with the surplus "
         r"$\Delta=\beta+\delta-(d+\frac12)\alpha$ over the line, at a rate close to 1. So the "
         "distance of the boundary from the line is also of second order. On all of (23), for "
-        r"$d=0$, $d=1$, $\alpha\le0.03$ and $\beta\le0.1$, the surplus of a wall on the boundary lies "
-        r"between $-3(\delta+\gamma)(\alpha+2\gamma)$ and $3(\alpha+\gamma)^2$."
+        r"$d=0$, $d=1$, $\alpha\le0.03$ and $\beta\le0.1$, the surplus of a wall on the boundary "
+        r"lies between $-3(\delta+\gamma)(\alpha+2\gamma)$ and $3(\alpha+\gamma)^2$."
     )
     second_order(page)
     order_of_period(page)
