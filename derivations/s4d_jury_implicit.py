@@ -137,9 +137,9 @@ def two_roads(page):
         )
     page.figure(
         "jury",
-        "Jury's inequalities for a free mass with two periods of delay. Each line is the border of "
-        "one inequality, all inequalities hold in the green region, and the dots are points of the "
-        "explicit boundary. The thick line is the border of the last minor; only this line and "
-        r"$\alpha=0$ bound the region.",
+        "Jury's inequalities for a free mass with two periods of delay. Each line is the "
+        "boundary of one inequality. All inequalities hold in the green region. The dots are "
+        "points of the explicit boundary. The thick line is the boundary of the last minor; only "
+        r"this line and $\alpha=0$ bound the region.",
         free_mass_inequalities,
     )

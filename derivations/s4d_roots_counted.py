@@ -1,6 +1,6 @@
 """How can unstable roots be counted at a cost that does not grow with the delay?
 
-The zeros of the characteristic polynomial, or the inequalities of Jury, cost more with every
+Computing the zeros of the characteristic polynomial, or Jury's inequalities, costs more with every
 period of delay. By the argument principle the number of roots follows from the change of the
 polynomial's argument on half the unit circle. The polynomial is a sum of two terms, one of the
 plant and one of the wall. At each angle the argument of the sum differs from that of the larger
