@@ -72,7 +72,7 @@ def derive(page):
 
 
 def _alone(page):
-    """A virtual mass and nothing else."""
+    """Settle the limit of a virtual mass without spring and damper."""
     found = page.lemma(
         "A virtual mass without spring and damper is passive if and only if $m_v\\le bT/2$", alone()
     )
@@ -91,7 +91,7 @@ def _alone(page):
 
 
 def _free(page):
-    """Stability of the mass that the device has and the one that it is made to feel."""
+    """Settle the stability of a free mass with a virtual mass."""
     mass = plant.sampled(plant.normalised(Parts(False, False)))
     mu = m_v / m
     response = mass.numerator / mass.denominator * mu * (1 - 1 / z) ** 2

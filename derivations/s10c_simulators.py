@@ -46,7 +46,7 @@ def derive(page):
 
 
 def _steps(page):
-    """The polynomials, from the motion of a mass."""
+    """Derive the polynomials from the motion of a mass."""
     mass = moving_mass()
     rate, push = Matrix(mass.state), Matrix(mass.force)
     wall = Matrix([[alpha, beta]])
@@ -72,7 +72,7 @@ def _steps(page):
 
 
 def _below_two(page, found):
-    """Two checks that are made one by one."""
+    """Refute the rule that bounds spring and damper separately."""
     symbols, given, then = taken_apart(page.claim(BOTH))
     exact = [found[id] for id in (SEMI, PLAIN)]
     page.lemma(
@@ -104,7 +104,7 @@ def _below_two(page, found):
 
 
 def _one_mass(page, exact):
-    """A quarter of the end of the bound."""
+    """Settle the rule that a quarter of 4 m/T^2 is a stable stiffness."""
     little = 3 * m / (2 * T) >= B
     here = SI.and_(*taken_apart(page.claim(ONE))[1], little)
     bounds = exact.conclusion.of[0]
@@ -127,7 +127,7 @@ def _one_mass(page, exact):
 
 
 def _held(page):
-    """The same bound for a device."""
+    """Compare the bound of a simulator with that of a device."""
     page.say(
         "A device differs from a simulator in two ways: its force is held while it moves, and "
         "its velocity is the difference of two samples. Each of these two differences adds a "

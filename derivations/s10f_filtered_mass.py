@@ -58,7 +58,7 @@ def derive(page):
 
 
 def _tangent(page, printed):
-    """At the origin the filter does not count; it bends the boundary."""
+    """The filter does not change the tangent at the origin; it bends the boundary."""
     left, right = printed[-1].args
     page.step(
         "On the line $K=2B/T$ the last bound is violated by a multiple of $B^2$",
@@ -96,13 +96,12 @@ def _delay(page, printed, soft):
         example=soft | {K: S.One / 8},
         unless={LITTLE: (strong, escapes(LOW_PASS, strong))},
         shows=r"for $m=T=\tau_f=B=1$ the rule allows $K<\tfrac23$, but $K=\tfrac12$ is unstable",
-        note=r"at the origin the rule is too strict by the factor $1+2\tau_f/T$. From "
-        r"$B=2m\tau_f/(T(T+4\tau_f))$ on, the rule allows unstable walls; for $\tau_f=0$ it does "
-        "so for every $B$",
+        note=r"at the origin the rule is too strict by the factor $1+2\tau_f/T$. The rule allows "
+        r"unstable walls from $B=2m\tau_f/(T(T+4\tau_f))$ on, and for every $B$ if $\tau_f=0$",
     )
 
 
-# A free mass at a wall whose damper takes a filtered velocity: which stiffness is stable.
+# The stable stiffness of a free mass with a filtered velocity.
 
 UNITS = {T: S.One, m: S.One}
 LOOP: Any = AVERAGING.at(UNITS)
@@ -118,14 +117,14 @@ for claim in 1 - f_v > 0, 1 + f_v > 0:
 
 @cache
 def in_units() -> Theorem:
-    """stable <=> K > 0, B > 0 and the quadratic inequality, for m = T = 1 and 0 <= f_v < 1."""
+    """stable <=> K > 0, B > 0 and QUADRATIC, for m = T = 1 and 0 <= f_v < 1."""
     criterion = HERE.closed(jury(LOOP.of[0], z))
     wanted: Any = criterion.conclusion.of[1]  # type: ignore[attr-defined]
     inside = mp(criterion, assume(LOOP))
     first, second, _, last = (conjunct(inside, p) for p in wanted.parts)
     pushes = HERE.show(K > 0, over(K > 0, first, HERE.show(1 - f_v > 0)))
     room = show(QUADRATIC, last)
-    # against the damping: with -B = y >= 0 the quadratic is minus a sum of products
+    # for B <= 0 the quadratic is minus a sum of products of y = -B >= 0
     slack = positive(f_v * K + (1 - f_v) * B > 0, [S.Half, second])
     none = HERE.and_(pushes, slack, B <= 0)
     against = combined(
@@ -145,7 +144,7 @@ def in_units() -> Theorem:
 TAU = SI.and_(tau_f >= 0)
 SCALE = {K: K * T**2 / m, B: B * T / m, f_v: tau_f / (T + tau_f)}
 SHARES = (m / T**2, m / T, (m * (T + tau_f) / T**2) ** 2)
-"""What each bound is multiplied by to be in SI units."""
+"""The factors that convert each bound to SI units."""
 
 
 @cache
@@ -167,12 +166,12 @@ def decides(*printed: Any) -> Theorem:
 
 
 LITTLE = proposition(2 * m * tau_f / (T * (T + 4 * tau_f)) >= B)
-"""So little damping that the filter takes less from the stiffness than the same delay does."""
+"""With less damping than this the filter reduces the stiffness less than an equal delay."""
 
 
 @cache
 def counted_as_delay(rule: Any, *printed: Any) -> Theorem:
-    """Below B/(T/2 + tau) a wall is stable, for little damping."""
+    """A wall with little damping and K < B/(T/2 + tau) is stable."""
     here = TAU.and_(K > 0, B > 0, rule, LITTLE)
     end = B / (T / 2 + tau_f)
     known = here.show(end > 0), assume(K > 0)
@@ -187,7 +186,7 @@ def counted_as_delay(rule: Any, *printed: Any) -> Theorem:
 
 @cache
 def below_the_tangent(*printed: Any) -> Theorem:
-    """A stable wall has K < 2B/T, whatever the filter."""
+    """A stable wall has K < 2B/T with every filter."""
     inside = mp(decides(*printed), assume(LOW_PASS))
     pushes, damps, room = (conjunct(inside, p) for p in conjuncts(inside.conclusion))
     here = TAU.and_(pushes, damps)

@@ -78,7 +78,7 @@ def derive(page):
 
 
 def _with_a_spring(page):
-    """A device that swings: there the lag may cost more than an equal delay."""
+    """With a spring the lag may be worse than an equal delay."""
     lag, swing = LAG, sqrt(gamma)
     device = lagging(moving_mass(gamma), lag)
     page.say(
@@ -135,7 +135,7 @@ def _with_a_spring(page):
 
 
 def closed_loop(phi, held, wall):
-    """The polynomial of a device behind a lag, with the position of the sample before as state."""
+    """The polynomial of a device after a lag, with the previous position as a state."""
     one, moved = phi.subs(t, 1), held.subs(t, 1)
     step = Matrix(4, 4, lambda i, j: one[i, j] if i < 3 and j < 3 else int((i, j) == (3, 0)))
     push = Matrix([*moved, 0]) * Matrix([[wall[alpha] + wall[beta], 0, 0, -wall[beta]]])
@@ -143,7 +143,7 @@ def closed_loop(phi, held, wall):
 
 
 def _loop(page):
-    """The motion in a period under a command that is held, and the loop that it makes."""
+    """The motion over a period under a held command, and the polynomial of the loop."""
     tau = LAG
     device = lagging(moving_mass(), tau)
     page.say(
@@ -164,14 +164,14 @@ def _loop(page):
     )
 
 
-# A free mass behind an actuator that lags: no stable stiffness is above that of the delay.
+# A free mass with an actuator lag: the line of an equal delay bounds the stable stiffness.
 
 h, u = symbols("h u")
 AHEAD, BEFORE = Given(h > 0), Given(u > 0, u < h)
 
 
 def _from_zero(rest: Expr, slope: Theorem) -> Theorem:
-    """0 < f(h) for f(0) = 0 and a positive slope before."""
+    """0 < f(h) if f(0) = 0 and the slope of f is positive on (0, h)."""
     return grows(rest, u, S.Zero, h, slope)
 
 
@@ -223,7 +223,7 @@ def in_units() -> Theorem:
 
 @cache
 def below_the_line() -> Theorem:
-    """The same in SI units, K < B/(T/2 + tau)."""
+    """A stable wall has K < B/(T/2 + tau), in SI units."""
     here = SI.and_(tau_a > 0, K > 0, B > 0)
     grown, once, twice, thrice = exponentials()
     h_ = T / tau_a
@@ -245,5 +245,5 @@ def below_the_line() -> Theorem:
 
 
 def holds(stable: Proposition, point: Mapping[Any, Any]) -> Theorem:
-    """That a loop in numbers is stable, by balls around its zeros."""
+    """The loop with these numbers is stable, by balls around its zeros."""
     return roots_inside(stable.at(point).terms[0], z, {})

@@ -28,7 +28,7 @@ def derive(page):
         name=r"E_{\text{hold}}",
     )
     page.step(
-        "Each period of delay adds twice this energy",
+        "Each period of delay adds twice the energy that the held force delivers",
         K * x * v * T - K * (x - v * T) * v * T,
         K * (v * T) ** 2,
         name=r"E_{\text{delay}}",
@@ -59,8 +59,8 @@ def derive(page):
         found,
         example=late | {b: S(2), d: S.One},
         unless={whole(d): (late, denied)},
-        shows="with a delay of half a period, $K=1$ meets the rule for $b=\\tfrac{101}{100}$, "
-        "$T=1$ and delivers energy",
+        shows=r"with a delay of half a period, $b=\tfrac{101}{100}$ and $T=1$, the spring $K=1$ "
+        "meets the rule and delivers energy",
         note="the rule is exact for integer delays without virtual damping; for a fractional "
         "delay, use the next integer",
     )
@@ -75,14 +75,14 @@ def derive(page):
         found,
         example=late | {d: S.Zero},
         unless={Eq(d, 0): (late, differs(rule, late))},
-        shows="with a delay of one period, $K=1$ with $b=\\tfrac34$, $T=1$ has the ratio "
-        "$\\tfrac23$ and delivers energy",
+        shows=r"with a delay of one period, $b=\tfrac34$ and $T=1$, the spring $K=1$ has the "
+        r"ratio $\tfrac23$ and delivers energy",
         note="the rule is exact without delay and virtual damping; a delay of $d$ periods "
         "multiplies the delivered energy by $2d+1$",
     )
 
 
-# A spring is passive just where the damper bears hold and delay.
+# A spring is passive if and only if the damper dissipates what hold and delay add.
 
 HERE = Given(T > 0, b > 0, d >= 0, K >= 0, whole(d))
 
@@ -114,7 +114,7 @@ def without_delay(rule: Any) -> Theorem:
 
 
 def differs(rule: Any, point: Mapping[Any, Any]) -> Theorem:
-    """That a rule and passivity differ at a wall in numbers, with an integer delay."""
+    """The rule and passivity disagree for one wall with an integer delay."""
     exact = inst(behind_a_delay(b >= K * T / 2 + K * d * T), point)
     exact = closed(exact, *map(fact, exact.hypotheses))
     bound, passive = exact.conclusion.of  # type: ignore[attr-defined]

@@ -1,9 +1,9 @@
 r"""Is a virtual coupling passive if its damper exceeds $KT/2$?
 
 A laboratory renders a mass of 2.4 kg with a delta.3 device, and its design record is public. The
-record explains why a force proportional to the measured acceleration cannot do this. Instead, a
-computer simulates the mass by backward Euler, and a spring and a damper couple it to the device. We
-check each number and each relation of the record.
+record explains why a force proportional to the measured acceleration cannot render this mass.
+Instead, a computer simulates the mass by backward Euler, and a spring and a damper couple it to the
+device. We check each number and each relation of the record.
 """
 
 from symhaptic.book.lemmas.decided import SI, escapes
@@ -31,7 +31,7 @@ def derive(page):
 
 
 def _damper(page):
-    """The coupling as a wall: its other end, the simulated mass, is held."""
+    """If the simulated mass is held, the coupling is a wall."""
     page.say(
         "The device is at $x$ and the simulated mass at $x_s$. The force of the coupling is "
         "$K(x_s-x)+B(v_s-v)$. A coupling that is passive with every mass is also passive with a "
@@ -60,7 +60,7 @@ def _damper(page):
 
 
 def _implicit(page):
-    """The simulation of the mass."""
+    """The energy of a mass that backward Euler simulates."""
     symbols, given, _ = taken_apart(page.claim(IMPLICIT))
     page.say(
         "Backward Euler maps $x$ and $v$ to $p=x+Tq$ and $q=v-Tkp/m$. The energy is "
@@ -90,7 +90,7 @@ def _implicit(page):
 
 
 def _masses(page):
-    """A virtual mass by the acceleration."""
+    """A virtual mass rendered from the measured acceleration."""
     slow = {m_v: Rational(3, 2), m: S.One, d: S.One}
     page.settle(
         HEAVY,
@@ -101,7 +101,7 @@ def _masses(page):
         note=r"the limit is exact for a free mass without delay; see \chapter{s10b_virtual_mass}",
     )
     found = page.lemma(
-        "A virtual mass that is stable beside a spring is stable alone",
+        "A virtual mass that is stable together with a spring is stable alone",
         fades_alone(),
         because="the product of the roots is $m_v/(2m)$ with and without the spring, and has to "
         "be less than 1",
@@ -115,14 +115,14 @@ def _masses(page):
     )
     light = {m_v: Rational(1, 4), m: S.One, K: Rational(1, 10), T: S.One}
     page.lemma(
-        "Beside the spring $KT^2/m=\\frac1{10}$ a virtual mass of $\\frac14m$ is not stable",
+        r"Together with the spring $KT^2/m=\frac1{10}$ a virtual mass of $\frac14m$ is not stable",
         escapes(SPRUNG, light),
         because="sampling adds more energy to the spring than such a light virtual mass dissipates",
     )
 
 
 def _numbers(page):
-    """What the record says of a device at 4 kHz."""
+    """The numbers of the record for a device at 4 kHz."""
     for id in ("coupling:period", "coupling:noise"):
         _, given, then = taken_apart(page.claim(id))
         at_rate = number(then.at({T: RATE}))
@@ -148,22 +148,23 @@ def _numbers(page):
         "coupling:ratio",
         "5–12×",
         r"4.8\ \text{to}\ 6",
-        "the record itself names 0.4 to 0.5 kg; of half of it the ratio would be 9.6 to 12",
+        "the record itself names 0.4 to 0.5 kg; with half of this mass the ratio would be 9.6 to "
+        "12",
     )
 
 
-# A coupling by spring and damper, a virtual mass beside a spring, and a step of backward Euler.
+# A coupling by spring and damper, a virtual mass with a spring, and a step of backward Euler.
 
 
 @cache
 def _exact() -> Theorem:
-    """passive <=> K T/2 + B <= b and K T/2 - B <= b, for K >= 0: no filter."""
+    """passive <=> K T/2 + B <= b and K T/2 - B <= b, for K >= 0 and without a filter."""
     found = inst(decides(), {f_v: S.Zero})
     return closed(found, fact(Relation(S.Zero, "<=", S.Zero)), fact(Relation(S.Zero, "<", S.One)))
 
 
 def passive_by_device(bound: Any) -> Theorem:
-    """A coupling is passive if the damping of the device is enough."""
+    """A coupling is passive if the damping of the device meets the bound."""
     fast, slow = _exact().conclusion.of[0].parts  # type: ignore[attr-defined]
     up, down = magnitude(B), magnitude(B, negative=True)
     push, brake = assume(B >= 0), positive(-B >= 0, B < 0)
@@ -175,7 +176,7 @@ def passive_by_device(bound: Any) -> Theorem:
 
 
 def drives(point: Mapping[Any, Any]) -> Theorem:
-    """That a coupling in numbers is not passive."""
+    """The coupling with these numbers is not passive."""
     exact = inst(_exact(), point)
     exact = closed(exact, *map(fact, exact.hypotheses))
     bounds, passive = exact.conclusion.of  # type: ignore[attr-defined]
@@ -184,7 +185,7 @@ def drives(point: Mapping[Any, Any]) -> Theorem:
 
 
 def fades_alone() -> Theorem:
-    """What is stable beside a spring is stable alone: m_v/(2m) is the product of the zeros."""
+    """A virtual mass that is stable with a spring is stable alone."""
     last = last_coefficient(assume(SPRUNG))
     below = conjunct(last, last.conclusion.parts[1])
     at_once = inst(free(), {d: S.Zero})
@@ -194,7 +195,7 @@ def fades_alone() -> Theorem:
 
 
 def loses_energy() -> Theorem:
-    """After a step there is not more energy than before."""
+    """A step of backward Euler does not increase the energy."""
     moved, sped = (assume(proposition(e)) for e in STEP)
     lost = [S.Half, m > 0, square(v - NEXT_V)], [S.Half, k > 0, square(x - NEXT_X)]
     return positive(AFTER <= BEFORE, *lost, [moved, k * NEXT_X], [sped, m * NEXT_V])

@@ -18,7 +18,7 @@ def derive(page):
         "two equations of motion, so that masses, dampings and stiffnesses add up."
     )
     both = page.step(
-        "Two bodies with one position have one mass, one damper and one spring",
+        "Two bodies with the same position act as one mass, one damper and one spring",
         device + arm,
         (m_D + m_H) * s**2 + (b_D + b_H) * s + k_H,
         paper="2",
@@ -48,7 +48,7 @@ def derive(page):
 
 
 def _settle(page):
-    """Under (2) and F_E the device moves as under (3) and F_E less what the arm needs."""
+    """(2) with F_E and (3) with F_E less the force on the arm give the same motion."""
     symbols, _, then = taken_apart(page.claim("s2d-arm-in-force"))
     together, alone = then.of
     there, back = (

@@ -89,7 +89,7 @@ def derive(page):
 
 
 def _rational(page):
-    """The substitution makes whole exponents, and approximates."""
+    """The substitution gives integer exponents, and is an approximation."""
     polynomial, some = page.claim("s2c-rational-delay").of
     symbols, given, has = taken_apart(polynomial)
     found = degree(has.of[0], has.over[0], has.of[1])
@@ -114,7 +114,7 @@ def _rational(page):
 
 
 def _not_negative(page):
-    """A delay that is zero is allowed."""
+    """The delay may be zero."""
     given, period = [t_d >= 0, T > 0], positive(Ne(T, 0), T > 0)
     page.settle(
         "s2c-positive-delay",

@@ -85,7 +85,7 @@ def derive(page):
 
 
 def _settle(page, condition):
-    """(4) guarantees passivity where the wall does not pull."""
+    """(4) guarantees passivity if H(1) >= 0."""
     claim = page.claim("eq4")
     given = taken_apart(claim)[1]
     theorem = as_claimed(claim, no_motion_gains(given[-1]), PUSHES)
@@ -95,8 +95,8 @@ def _settle(page, condition):
         "stiffness of a wall is $H(1)=h_0+h_1+h_2$."
     )
     page.lemma(
-        "From a wall $(h_0+h_1/z+h_2/z^2)z^{-d}$ no motion gains energy if and only if it has "
-        r"$H(1)\ge0$ and meets (4) at each angle, with $\ge$ in place of $>$",
+        "No motion gains energy from a wall $(h_0+h_1/z+h_2/z^2)z^{-d}$ if and only if the wall "
+        r"has $H(1)\ge0$ and meets (4) at each angle, with $\ge$ in place of $>$",
         exactly(),
         because="condition (4) is sufficient, as the paper says, and necessary except for equality",
     )
@@ -124,26 +124,26 @@ def _settle(page, condition):
     )
 
 
-# Which environments h_0 + h_1/z + h_2/z^2 give no energy away: (4) for any three answers.
+# Passive walls h_0 + h_1/z + h_2/z^2: (4) for any three coefficients.
 
 PUSHES = Add(*TAPS) >= 0
-"""H(1) >= 0: at rest the environment does not pull."""
+"""H(1) >= 0: the static stiffness is not negative."""
 
 _WHOLE = tuple(is_whole(d + late, assume(whole(d))) for late in (1, 2))
 
 
 def by_angle() -> Theorem:
-    """passive <=> H(1) >= 0 and the margin at every angle."""
+    """passive <=> H(1) >= 0 and the margin is not negative at any angle."""
     return toeplitz(ANSWER, z, b / T, theta)
 
 
 def exactly() -> Theorem:
-    """The same for T > 0 and an integer delay."""
+    """The equivalence of `by_angle` for T > 0 and an integer delay."""
     return closed(by_angle(), *apart(), *_WHOLE)
 
 
 def no_motion_gains(frequencies: Any) -> Theorem:
-    """Passive, from (4) at every frequency and H(1) >= 0."""
+    """A wall with H(1) >= 0 that meets (4) at every frequency is passive."""
     angle, period = theta / T, over(1 / T > 0, one(), T > 0)
     inside = (over(angle > 0, theta > 0, T > 0), over(angle < pi / T, assume(theta < pi), T > 0))
     met = at(assume(frequencies), {omega: angle}, *inside)
@@ -155,12 +155,11 @@ def no_motion_gains(frequencies: Any) -> Theorem:
 
 
 def apart() -> tuple[Theorem, ...]:
-    """T is not zero."""
     return (positive(Ne(T, 0), T > 0),)
 
 
 def holds(frequencies: Any, point: Mapping[Any, Any], *margin: Any) -> Theorem:
-    """(4) at every frequency for an environment in numbers, by the products of its margin."""
+    """(4) at every frequency for given numbers; its margin is a sum of products."""
     relation = frequencies.body.of[1].at(point)
     half = sine_of_half(omega)
     turned = not_zero(positive(1 - cos(omega) > 0, [2, half, half]))
@@ -169,7 +168,7 @@ def holds(frequencies: Any, point: Mapping[Any, Any], *margin: Any) -> Theorem:
 
 
 def gives_energy() -> Theorem:
-    """-(1 + 1/z + 1/z^2) delivers energy beside the damper b/T = 1."""
+    """The wall -(1 + 1/z + 1/z^2) delivers energy although b/T = 1."""
     energy = toeplitz(ANSWER.subs(dict.fromkeys(TAPS, -1) | {d: 0}), z, S.One, theta)
     static, _ = energy.conclusion.of[1].of
     negative = denied(combined(Relation(S(-3), "<", S.Zero), [3]), static)

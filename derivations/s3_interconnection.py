@@ -1,6 +1,6 @@
 """Is a connection of passive systems passive and stable?
 
-Designers use passivity because connected passive systems are passive again. We ask for which
+Designers use passivity because an interconnection of passive systems is passive. We ask for which
 connections this is true, and which kind of stability follows.
 """
 
@@ -87,8 +87,8 @@ def derive(page):
 def _settle(page):
     then = taken_apart(page.claim("s3-interconnection"))[2]
     stable = page.lemma(
-        "With every delay a passive wall stabilises every damped device, if the wall or a spring "
-        "has stiffness",
+        "With every delay a passive wall stabilises every damped device, if the wall has "
+        "stiffness or the device has a spring",
         passive_wall_is_stable(),
         because="a delay consists of an integer number of periods and a fraction of a period, as "
         r"in \chapter{s6e_fractional_passive_is_stable}",
@@ -115,11 +115,11 @@ def _settle(page):
         shows="two lags in a chain are not passive; a free mass drifts at a passive wall without "
         "stiffness; a mass on a spring without a damper oscillates forever",
         note="the claim is true for parallel and feedback connections of linear systems, at each "
-        "frequency; stability holds for the paper's loop with a damper, if a spring or the wall "
-        "has stiffness",
+        "frequency; stability holds for the paper's loop with a damper, if the wall has "
+        "stiffness or the device has a spring",
     )
 
 
 def passive(point):
-    """The wall of a point is passive, without delay."""
+    """The wall of this point is passive without delay."""
     return passive_in_numbers({K: point[alpha], B: point[beta], b: point[delta], T: S.One})

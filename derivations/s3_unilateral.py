@@ -32,15 +32,15 @@ def derive(page):
     )
     page.say(
         "With an integer delay of $d$ periods the spring force differs from $f(x_k)$ by at most "
-        r"$K$ times the sum $|p_{k-1}|+\ldots+|p_{k-d}|$ of the last $d$ steps. The damper "
-        r"force is $B/T$ times one earlier step. So the wall delivers at most "
-        r"$(K(d+\tfrac12)+|B|/T)\sum p_k^2$. Therefore $b\ge KT(d+\tfrac12)+|B|$ is "
-        "sufficient for a wall that only pushes. Without delay this "
-        r"condition is (6) itself; with a delay it is (9) for $-b\le B\le0$. For positive damping "
-        "and a delay it is stricter than (5). For (5) alone we rely on the reference."
+        r"$K$ times the sum $|p_{k-1}|+\ldots+|p_{k-d}|$ of the last $d$ steps. The damper force "
+        "is $B/T$ times one earlier step. So the wall delivers at most "
+        r"$(K(d+\tfrac12)+|B|/T)\sum p_k^2$. Therefore $b\ge KT(d+\tfrac12)+|B|$ is sufficient "
+        "for a wall that only pushes. Without delay this condition is (6) itself; with a delay "
+        r"it is (9) for $-b\le B\le0$. For positive damping and a delay it is stricter than (5). "
+        "That (5) itself is sufficient is a result of the reference, which we do not prove."
     )
     page.settle_external(
         "s3-unilateral",
-        "the proof for general $B$ and $d$ stands in the paper's reference [1]",
+        "the proof for general $B$ and $d$ is in the paper's reference [1]",
         checked=r"shown for $d=0$, and for integer $d$ with $-b\le B\le0$",
     )

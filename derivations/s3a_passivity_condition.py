@@ -77,7 +77,7 @@ def derive(page):
 
 
 def _mass(page):
-    """A mass stores what is not negative, and nothing at rest: no two masses differ."""
+    """The energy stored in the mass is not negative, and is zero at rest."""
     why = "a motion that ends at rest returns its energy, which is otherwise not negative"
     page.lemma("Passivity does not depend on the mass", of_mass(x), because=why)
     theorem = no_mass_differs(x, y)
@@ -86,14 +86,14 @@ def _mass(page):
 
 
 def _settle(page, printed):
-    """(5) decides for integer delays and walls that do not pull, but on the border."""
+    """For integer delays and K >= 0, (5) is equivalent to passivity, except for equality."""
     claim = CLAIMED["eq5"]((printed,))
     frequencies, passive = taken_apart(claim)[2].of
     extra = [whole(d), K >= 0, off_border()]
     enough = follows(passive_by_angle(), assume(K >= 0), margins(frequencies))
     page.lemma(r"With an integer delay a wall with $K\ge0$ that meets (5) is passive", enough)
     needed = page.lemma(
-        "With an integer delay every passive wall meets (5), except for equality",
+        r"With an integer delay every passive wall meets (5) with $\ge$ in place of $>$",
         frequencies_met(frequencies),
         because="the energy of a motion near one frequency is given by the margin at this "
         "frequency",
@@ -131,11 +131,11 @@ def _settle(page, printed):
     )
 
 
-# (5) at every frequency decides, but for walls that pull, fractional delays and the border.
+# (5) is equivalent to passivity for integer delays and K >= 0, except for equality.
 
 
 def frequencies_met(frequencies: Any) -> Theorem:
-    """(5) at every frequency of a passive wall that needs another damping at each of them."""
+    """A passive wall that meets (5) with equality at no frequency meets (5) at each one."""
     angle = omega * T
     inside = (
         positive(angle > 0, [omega > 0, T > 0]),
@@ -152,15 +152,12 @@ INSIDE_BAND = (omega > 0, omega < pi / T)
 
 
 def off_border() -> Proposition:
-    """At no frequency the wall needs just the damping of the device."""
+    """The required damping differs from b at every frequency."""
     return at_every_frequency(Ne(b, FIVE.rhs))
 
 
 def on_the_border(claim: Proposition, point: Terms) -> tuple[Theorem, Theorem]:
-    """A spring that just meets (5) at every frequency is passive: not (5), and it is on the border.
-
-    Said without delay and damping, of T = 1.
-    """
+    """A passive spring whose required damping equals b at every frequency does not meet (5)."""
     same = taken_apart(claim)[2].at(point)
     passive = passive_in_numbers(point)
     inside = [fact(proposition(p).at({omega: S.One, T: S.One})) for p in INSIDE_BAND]
@@ -178,20 +175,20 @@ INSIDE = (omega > 0, omega < pi)
 
 
 def holds(claim: Proposition, point: Terms, *products: Any) -> Theorem:
-    """(5) at every frequency for a wall in numbers, by the products of its margin."""
+    """(5) at every frequency for a wall in numbers; its margin is a sum of products."""
     frequencies = taken_apart(claim)[2].parts[0]
     relation = frequencies.body.of[1].at(point)
     return for_all([omega], INSIDE, closed(combined(relation, *products), *divisors(omega)))
 
 
 def apart(met: Theorem) -> Theorem:
-    """Such a wall is off the border."""
+    """For a wall that meets (5), the required damping differs from b at every frequency."""
     there = at(met, {omega: omega}, *map(assume, INSIDE))
     need, damping = there.conclusion.terms
     return for_all([omega], INSIDE, positive(Ne(damping, need), [there]))
 
 
 def gaining(claim: Proposition, point: Terms, met: Theorem, motion: Any) -> Theorem:
-    """It meets (5) and a motion gains energy: (5) does not decide."""
+    """The wall meets (5), but a motion gains energy."""
     there = taken_apart(claim)[2].at(point)
     return not_intro(mp(assume(there), met), gains(list(point.values()), motion), there)

@@ -62,7 +62,7 @@ def derive(page):
     off = either(OFF_BORDER.at(easy), identity(S.Zero, S.Zero))
 
     def broken(whole_claim):
-        """(6) does not sum up (5) on the border."""
+        """At equality (6) is not equivalent to (5)."""
         there = whole_claim.at(border)
         summed = conjunct(assume(there), same.at(border))
         return not_intro(mp(summed, met), not_six(border), there)
@@ -81,7 +81,7 @@ def derive(page):
     both = taken_apart(page.claim("eq6"))[2]
     page.lemma(r"A wall with $K\ge0$ that meets (6) is passive", passive())
     deciding = page.lemma(
-        "Without delay every passive wall meets (6), except for equality",
+        r"Without delay every passive wall meets (6) with $\ge$ in place of $>$",
         decides(),
         because=r"a strict inequality at every angle holds with $\ge$ in the limits at $0$ and "
         r"$\pi$",
@@ -106,7 +106,7 @@ def derive(page):
 
 
 def upper_part(page):
-    """(6) for walls that damp."""
+    """(6) for walls with B >= 0."""
     found = page.lemma("For $B\\ge0$ the summary (6) is $b>\\frac{KT}2+B$", damped_side())
     page.settle(
         "s3c-upper-part",

@@ -1,4 +1,4 @@
-"""Which walls are on the border of passivity at a given frequency?
+"""Which walls are on the boundary of passivity at a given frequency?
 
 At one frequency the condition is a half plane in the $(K,B)$ plane, bounded by a line. As the
 frequency changes, this line moves, and the family of lines has an envelope.
@@ -69,7 +69,7 @@ def derive(page):
 
 
 def _scaled(page):
-    """The walls of (5) scale with the damping, and their stiffness with the rate."""
+    """The walls of (5) are proportional to b, and their stiffness to 1/T."""
     claim, right = page.claim("s3b-linear-in-T"), scaled(T / y)
     found = conj(*with_damping_and_rate())
     stiff = {K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero, y: S(3)}

@@ -84,7 +84,7 @@ def derive(page):
 
 
 def _boundary(page):
-    """The walls of (7), and above the corner no others, with integer delays and up to pi/(d+1)."""
+    """The walls of (7) up to pi/(d+1), and no others, are the boundary above the corner."""
     printed = STATEMENTS["eq7"].printed
     then = taken_apart(page.claim("eq7"))[2]
     curve, others = then.of

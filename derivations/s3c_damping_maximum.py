@@ -37,7 +37,7 @@ def derive(page):
         name=r"B|_{\theta=\pi/(d+1)}",
     )
     bottom = page.limit(
-        "At low frequencies the border is this line",
+        "At low frequencies the boundary is this line",
         passivity.margin(),
         theta,
         S.Zero,
@@ -72,7 +72,7 @@ def derive(page):
 
 
 def _ends(page, *derived):
-    """The damping of walls that meet (5) and do not pull ends at that of the device."""
+    """The damping of a wall with K >= 0 that meets (5) lies between -b and b."""
     _, given, then = taken_apart(page.claim("s3c-limit-points"))
     above, below = between(given[-1])
     page.lemma("No wall that meets (5) has more damping than $b$", above)
@@ -103,13 +103,13 @@ def _ends(page, *derived):
 
 
 def _met(frequencies, *products):
-    """(5) at every frequency for the wall of a point."""
+    """(5) at every frequency for the wall of this point."""
     known, relation = frequencies.body.of
     return for_all([omega], known.of, closed(combined(relation, *products), *divisors(omega)))
 
 
 def _frequency(page, *derived):
-    """At this frequency (5) is the linear condition, if there is a delay."""
+    """With a delay, (5) at this frequency is a linear condition."""
     printed = STATEMENTS["s3c-bmax-frequency"].printed
     then = taken_apart(page.claim("s3c-bmax-frequency"))[2]
     none = {d: S.Zero, T: S.One, omega: pi, b: S(2), K: S.One, B: S.One}

@@ -14,7 +14,7 @@ from symhaptic.proof.theorems.analysis import no_other_limit
 
 def derive(page):
     line = page.limit(
-        "At low frequencies the border is a line",
+        "At low frequencies the boundary is a line",
         passivity.margin(),
         theta,
         S.Zero,
@@ -60,7 +60,7 @@ def derive(page):
 
 
 def _line(page, *derived):
-    """Each wall of (8) is on the boundary, with integer delays, and below its end no other wall."""
+    """The walls of (8), and no others with at most the damping of its end, are the boundary."""
     then = taken_apart(page.claim("eq8"))[2]
     page.lemma(
         "A wall of (8) is passive, and requires exactly the damping $b$",
@@ -92,7 +92,7 @@ def _line(page, *derived):
 
 
 def _gains(claim, share):
-    """A wall at this share of the line is not on the boundary: a motion gains energy from it."""
+    """A motion gains energy from the wall at this share of the line."""
     lower, line = claim.of
     there = conj(*(number(p) for p in line.body.at({y: share}).of))
     passive = conjunct(mp(assume(claim), exists(there, line, {y: share})), lower.of[0].of[0])
@@ -100,7 +100,7 @@ def _gains(claim, share):
 
 
 def _lower_part(page):
-    """The line is the limit of (5), and the envelope tends to one of its points."""
+    """The line is the limit of (5); the envelope tends to one of its points."""
     then = taken_apart(page.claim("s3c-lower-part"))[2]
     straight, *limits = then.of
     top = Eq(y, 1)

@@ -39,7 +39,7 @@ def derive(page):
 
 
 def _condition(page, nine):
-    """(9), and (10), which is (9) in words, decide in the range of damping of (9)."""
+    """In its range of damping (9), and (10) in words, is equivalent to passivity."""
     enough, needed = decides()
     page.lemma(
         "The condition is sufficient for damping in the range of (9)",
@@ -83,7 +83,7 @@ NOTES = {
 
 
 def not_alike(same, point, motion):
-    """(9) and passivity differ at a point: a motion gains, or (9) is not met on the border."""
+    """At this point (9) and passivity disagree."""
     there = same.at(point)
     nine, passive = there.of
     if motion is None:

@@ -90,7 +90,7 @@ PRINTED = STATEMENTS["eq11"].printed
 
 
 def _frequency(page, derived):
-    """There the damping does nothing, at no lower one, and (11) just meets (5)."""
+    """At the first frequency where the coefficient of B vanishes, (11) meets (5) with equality."""
     [printed] = STATEMENTS["s3c-kmax-frequency"].printed
     then = taken_apart(CLAIMED["s3c-kmax-frequency"]((printed,)))[2]
     found = first_without_damping(printed, then)
@@ -105,7 +105,7 @@ def _frequency(page, derived):
 
 
 def _stiffest(page, *derived):
-    """(11) is passive, and no passive wall is stiffer, with integer delays."""
+    """With an integer delay the wall of (11) is passive, and no passive wall is stiffer."""
     page.lemma(
         "No passive wall is stiffer than (11)",
         bound(),
@@ -136,11 +136,11 @@ def _stiffest(page, *derived):
     )
 
 
-# The largest passive stiffness of a delay over that without delay, for every b > 0 and T > 0.
+# Ratio of the largest passive stiffness with a delay to that without, for b > 0 and T > 0.
 
 
 def both_sides(stiffness: Expr, delay: int, printed: Any, known: Any) -> tuple[Theorem, ...]:
-    """What is the largest stiffness is at most, and at least, that of (11)."""
+    """The largest stiffness is at most, and at least, that of (11)."""
     there_is, others = known
     passive, bound, value = largest_of(printed, delay)
     below = choose(assume(there_is), inst(bound, {K: stiffness}))
@@ -150,7 +150,7 @@ def both_sides(stiffness: Expr, delay: int, printed: Any, known: Any) -> tuple[T
 
 
 def ratio(claim: Proposition, printed: Any, delay: int) -> Theorem:
-    """The bounds on y/x that a claim names."""
+    """The bounds on y/x in a claim."""
     _, given, then = taken_apart(claim)
     first = both_sides(x, 0, printed, given[2:4])
     other = both_sides(y, delay, printed, given[4:])
@@ -177,7 +177,7 @@ def _per_damping(stiffness: Expr) -> Expr:
 
 
 def case(claim: Proposition, printed: Any, delay: int) -> Case:
-    """The walls of (11) for b = T = 1, at which all that the claim supposes is true."""
+    """The walls of (11) for b = T = 1, which meet all hypotheses of the claim."""
     given = taken_apart(claim)[1]
     unit: dict[Symbol, Expr] = {b: S.One, T: S.One}
     walls = [largest_of(printed, late) for late in (0, delay)]
@@ -194,11 +194,11 @@ def case(claim: Proposition, printed: Any, delay: int) -> Case:
 
 
 def _numbers(theorem: Theorem) -> list[Theorem]:
-    """The hypotheses without symbols."""
+    """Prove the hypotheses that contain no symbols."""
     return [fact(claim) for claim in theorem.hypotheses if not claim.free]
 
 
-# The frequency of the stiffest wall: there damping does nothing, and at no lower one.
+# The lowest frequency at which the coefficient of B vanishes, that of the stiffest wall.
 
 
 def first_without_damping(equation: Any, claim: Any) -> Theorem:

@@ -79,14 +79,14 @@ def derive(page):
 
 
 def row(text, *values):
-    """Decimals of the four coordinates for one delay."""
+    """Four coordinates for one delay, as decimals."""
     cells = [v.subs(d, Rational(text)) for v in values]
     known = [v if v.is_Rational else decimals(ball(v, None, 128).real, 4) for v in cells]
     return [f"${text}$", *(f"${v}$" for v in known)]
 
 
 def fractions(page):
-    """On the straight part, a fractional delay leaves the passive walls."""
+    """With a fractional delay the walls on the straight part are not passive."""
     page.say(
         "For integer delays the walls inside the curve are the passive ones. For a fractional "
         r"delay, $d=\ell+\varepsilon$, passivity requires another condition, $D\ge0$ "
@@ -110,8 +110,7 @@ GAINS = half_late(Rational(17, 10))
 
 
 def _curves(page):
-    """The curves of integer delays are what the caption says; with a delay of half a period the
-    tip is not."""
+    """Fig. 4 is right for integer delays; with a delay of half a period its tip is not passive."""
     _, given, then = taken_apart(page.claim("fig4"))
     case = TIP | {omega: pi / 2, y: S.One}
     some, none = (
@@ -135,11 +134,11 @@ def _curves(page):
     )
 
 
-# What Fig. 4 draws: the curve (7), the line (8) and the tip (11) of a whole delay, and no more.
+# Fig. 4 for an integer delay: the boundary is the curve (7) and the line (8), with the tip (11).
 
 
 def drawn(claim: Any) -> Theorem:
-    """Arc, line, the upper part without delay, that there is nothing else, and the tip."""
+    """The walls of Fig. 4 are on the boundary, the boundary has no others, and (11) is the tip."""
     *parts, others, tip = claim.of
     made = on_boundary, on_line, lambda *_: on_it()
     found = [_implied(of, how) for of, how in zip(parts, made, strict=True)]
@@ -147,7 +146,7 @@ def drawn(claim: Any) -> Theorem:
 
 
 def _implied(implication: Any, made: Callable[..., Theorem]) -> Theorem:
-    """One implication, of which the print comes last."""
+    """An implication whose last hypothesis is the published equation."""
     known = conjuncts(implication.of[0])
     return disch(add_assum(made(*map(assume, known[-2:])), *known), implication.of[0])
 
@@ -171,12 +170,12 @@ def _no_others(implication: Any) -> Theorem:
 
 NONE, STIFF, DAMPED, FULL = UPPER.parts
 LEAST = K * T / 2 + B
-"""The damping that these walls need."""
+"""The required damping of these walls."""
 
 
 @cache
 def enough() -> Theorem:
-    """Without delay a wall with K >= 0 and B >= 0 is passive beside the damping KT/2 + B."""
+    """Without delay a wall with K >= 0 and B >= 0 is passive if b = KT/2 + B."""
     there = {b: LEAST, d: S.Zero}
     always = first_half().at(there)
     given, goal = always.body.of
@@ -189,7 +188,7 @@ def enough() -> Theorem:
 
 @cache
 def on_it() -> Theorem:
-    """Such a wall with b = KT/2 + B is on the boundary."""
+    """A wall with b = KT/2 + B, B >= 0 and K >= 0 is on the boundary."""
     full = assume(FULL)
     passive = subst(PASSIVE.at({b: x}), x, enough(), show(Eq(LEAST, b), full))
     least = show(b <= x, inst(limits()[0], {b: x}), full)
@@ -198,7 +197,7 @@ def on_it() -> Theorem:
 
 @cache
 def its_damping() -> Theorem:
-    """A wall of the boundary with B >= 0 is one of them."""
+    """A wall of the boundary with B >= 0 has b = KT/2 + B and K >= 0."""
     stiff = of_border(pushes())
     force = show(LEAST >= 0, stiff, T > 0, DAMPED)
     need = border_needs(LEAST, closed(enough(), stiff), force)

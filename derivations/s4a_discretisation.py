@@ -21,7 +21,7 @@ CORRECTED = (
 
 WHOLE = r"\frac{1}{ms^2 + bs + k} \hat{=} \br " + CORRECTED
 DELAYS = r"e^{-dT_s} \hat{=} z^{-d}", r"e^{-d\changed{Ts}} \hat{=} z^{-d}"
-"""The equivalent of the delay as published, and as it is meant."""
+"""The equivalent of the delay as published, and as corrected."""
 
 
 def derive(page):

@@ -55,7 +55,7 @@ def derive(page):
 
 
 def _settle(page):
-    """The loop with an integer delay is that with z^-d: both answers are the same."""
+    """With an integer delay the samples of the loop are exactly those of z^-d."""
     claim = page.claim("s4a-exact-instants")
     then = taken_apart(claim)[2]
     gains = (1 + X_d * WALL) * (1 + z**-d * X * WALL)

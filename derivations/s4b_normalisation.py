@@ -14,8 +14,8 @@ from symhaptic.model.plant import sampled
 
 def derive(page):
     page.say(
-        "Let time run in periods, so that $s$ becomes $s/T$, and measure forces per length in "
-        "units of $m/T^2$. Newton's law and the wall then become:"
+        "We measure time in periods, so that $s$ becomes $s/T$, and force per length in units of "
+        "$m/T^2$. Newton's law and the wall then become:"
     )
     motion = page.step(
         r"Two numbers, $\gamma$ and $\delta$, describe the device",
@@ -23,7 +23,7 @@ def derive(page):
         s**2 + b * T / m * s + k * T**2 / m,
         name=r"\tfrac{T^2}{m}\bigl(m\tfrac{s^2}{T^2}+b\tfrac sT+k\bigr)",
     )
-    page.define("The wall, (1)", Function("H")(z), wall.transfer())
+    page.define("The wall has the transfer function (1)", Function("H")(z), wall.transfer())
     force = page.step(
         r"Two numbers, $\alpha$ and $\beta$, describe the wall",
         wall.transfer() * T**2 / m,
@@ -95,7 +95,7 @@ def derive(page):
 
 
 def _equivalent(page, form):
-    """(14) is right for every device that it does not turn to 0/0."""
+    """(14) is right for every device for which it is not 0/0."""
     claim = page.claim("eq14")
     apart = [Ne(c_1, 0), Ne(gamma, 0)]
     page.settle(
@@ -113,7 +113,7 @@ def _equivalent(page, form):
 
 
 def _abbreviations(page, *forms):
-    """(15) is (13) in the numbers of Table I."""
+    """(15) is (13) in the parameters of Table I."""
     claim = page.claim("eq15")
     _, given, then = taken_apart(claim)
     names = definitions(given)

@@ -58,7 +58,7 @@ def derive(page):
 
 
 def _settle(page):
-    """A loop of seven parameters answers as that of five, in units of its mass and period."""
+    """In units of mass and period, five of the seven parameters determine the loop."""
     then = taken_apart(page.claim("s4b-seven-to-five"))[2]
     device = page.lemma(
         "In units of its mass and of the period, two numbers describe a device", in_own_units()

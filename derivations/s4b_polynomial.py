@@ -74,7 +74,7 @@ def derive(page):
 
 
 def _settle(page, id, form, shows, late=True):
-    """Right for every loop whose device the print does not turn to 0/0, with integer delays."""
+    """The form is right for integer delays if it is not 0/0 for the device."""
     claim = page.claim(id)
     bottom = STATEMENTS["eq18"].printed[0].rhs
     split, spring, steps = Ne(c_1, 0), Ne(gamma, 0), whole(d)
@@ -92,7 +92,7 @@ def _settle(page, id, form, shows, late=True):
 
 @cache
 def _points(claim, conditions):
-    """A point at which all conditions hold, and for each one at which it alone does not."""
+    """A point at which all conditions hold, and points at which exactly one condition fails."""
     split, spring, *steps = conditions
     cases = [(UNHELD, spring), (CRITICAL, split), *((SWINGING | {d: S.Half}, s) for s in steps)]
     return [
@@ -139,7 +139,7 @@ def _scenes(page):
         (1 - cos(Omega)) * (z + 1) / (Omega**2 * (z**2 - 2 * cos(Omega) * z + 1)),
         name=r"P(z)\big|_{\delta=0}",
     )
-    page.say("By exact series, each of these transfer functions is the limit of a larger one:")
+    page.say("Each transfer function is the limit of that of a device with one more part:")
     general = plant.sampled(plant.normalised(Parts()), split=c).transfer.subs(
         gamma, (delta**2 - c**2) / 4
     )
@@ -224,7 +224,7 @@ def _scenes(page):
 
 
 def _polynomial(parts):
-    """The scene's own polynomial; c and 2j Omega name the difference of its poles."""
+    """The polynomial of a scene, in terms of the difference of its poles, c or 2j Omega."""
     if not parts.stiffness:
         return loop.characteristic(parts)
     split = c if parts.damping else 2 * I * Omega
@@ -233,7 +233,7 @@ def _polynomial(parts):
 
 
 def _limit(page, parts, name, larger, smaller):
-    """``smaller`` is what ``larger`` tends to; without beta, up to the root at 0."""
+    """``larger`` tends to ``smaller``; without beta, up to the root at 0."""
     if name == "virtual_damping":
         page.same(f"{parts.name} without {name}", larger.subs(beta, 0), z * smaller)
     elif name == "delay":

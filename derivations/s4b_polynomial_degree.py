@@ -50,7 +50,7 @@ def derive(page):
 
 
 def _five(page):
-    """Two loops with the same numbers answer alike, in their own units."""
+    """Two loops with the same five numbers are equal in their own units."""
     found = page.lemma(
         "Two loops with the same five numbers have the same product of device, delay and wall",
         same_loop(SECOND),

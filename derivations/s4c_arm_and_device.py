@@ -57,12 +57,12 @@ def derive(page):
 
 
 def _numbers(page, *forms):
-    """Table I makes (19) of (2)."""
+    """(19) follows from (2) and Table I."""
     page.settle("eq19", numbers(page.claim("eq19")), *forms, example=PLAIN | WHOLE)
 
 
 def _bounds(page):
-    """(20) with positive masses and dampers: the spring has to be positive, too."""
+    """With positive masses and dampers, (20) also requires a spring."""
     claim = page.claim("eq20")
     then = taken_apart(claim)[2]
     springy = k_H > 0
@@ -110,7 +110,7 @@ def _mean(page):
 
 
 def _limits(page):
-    """Limits of stiffness and damping per mass for each part are limits for both."""
+    """Limits of stiffness and damping per mass for arm and device are limits for both together."""
     found = page.lemma(
         "Separate limits for the arm and for the device are sufficient",
         conj(*limits(page.claim("s4c-independent-limits"))),

@@ -23,7 +23,7 @@ def derive(page):
         r"damping ratio of each arm is $\zeta=b_H/(2\sqrt{k_Hm_H})$:"
     )
     page.table(
-        "From the published decimals of Table II, rounded.",
+        "Ratios of the arms, rounded, from the published decimals of Table II.",
         ["article", "$k_H/m_H$ in s$^{-2}$", "$b_H/m_H$ in s$^{-1}$", "$\\zeta$"],
         [
             [
@@ -66,7 +66,7 @@ def derive(page):
 
 
 def series(page):
-    """Of two springs one after the other each is stiffer than both."""
+    """Two springs in series are less stiff than each of them."""
     symbols, given, then = taken_apart(page.claim("s4c-series"))
     k = symbols[0]
     found = []
@@ -88,12 +88,12 @@ def series(page):
 
 
 def ratios(column):
-    """Stiffness (1) or damping (2) per mass, by article."""
+    """The ratio of stiffness (column 1) or damping (column 2) to mass, by article."""
     return {authors: numbers[column] / numbers[0] for authors, numbers in ROWS.items()}
 
 
 def converted(page):
-    """The numbers of two rows, recognised; each rounds to what is printed."""
+    """Two rows are conversions of simple numbers; each number rounds to the published one."""
     daniel, lawrence = TABLE_II[0], TABLE_II[6]
     force = POUND * GRAVITY / INCH
     page.say(
@@ -117,7 +117,7 @@ def converted(page):
         (r"1\,\mathrm{lbf\,s/in}", force, lawrence.damping),
     )
     page.enclosed(
-        "These are the values in SI units",
+        "The two rows have these values in SI units",
         [(name, value) for name, value, _ in found],
         because="the paper gives 39.5, 12.6, 17.51, 175.1 and 175.1",
         places=6,
@@ -126,7 +126,7 @@ def converted(page):
 
 
 def rounded(value, printed):
-    """A number that rounds to the printed decimal: less than half a unit of its last digit away."""
+    """The number differs from the published decimal by less than half a unit of the last digit."""
     digits = len(printed.partition(".")[2])
     half = Rational(1, 2 * 10**digits)
     off = (value - Rational(printed)) ** 2

@@ -25,7 +25,7 @@ def derive(page):
 
 
 def largest(page):
-    """(21): largest ratios of the rows that are kept, the second rounded up to its last digit."""
+    """(21): the largest ratios of the rows that are kept; the second is rounded up."""
     stiff, slow = (max(KEPT, key=lambda name: KEPT[name][i]) for i in (0, 1))
     printed = {row.authors: row for row in TABLE_II}
     hogan, tsuji = printed[stiff], printed[slow]
@@ -101,7 +101,7 @@ def limits(page, spring, damper):
     )
     held = {gamma: T**2 * k_H / (m_D + m_H), delta: T * (b_D + b_H) / (m_D + m_H)}
     for name, meaning in held.items():
-        page.define("(19) gives the numbers per mass", name, meaning)
+        page.define("(19) defines the parameters of device and arm", name, meaning)
     inside = page.lemma(
         "Arm and device within their limits are together within (22)",
         conj(*within(spring, damper, DEVICE)),
@@ -117,6 +117,6 @@ def limits(page, spring, damper):
     page.settle_external(
         "eq22",
         "on $b_D/m_D<0.625\\,\\mathrm{s}^{-1}$ for the devices of [8], and on Table II",
-        r"follows from both; the weighted mean of both gives $14.6\,T$ already",
+        r"follows from both; their mean, weighted by the masses, gives the smaller bound $14.6\,T$",
         *forms,
     )

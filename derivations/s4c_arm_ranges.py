@@ -73,7 +73,7 @@ def derive(page):
 
 
 def _extension(page):
-    """30 % is right for the damping only, to the nearest ten."""
+    """To the nearest ten per cent, 30 % is right only for the damping."""
     claim = page.claim("s4c-extension-30")
     right = extended(("1.405", "1.415"), ("1.305", "1.315"))
     at = {T: LONGEST}
@@ -100,7 +100,7 @@ NAMES = {gamma: r"\gamma", delta: r"\delta"}
 
 
 def periods(page):
-    """For which sampling periods (23) contains (22)."""
+    """The sampling periods for which (23) contains (22)."""
     short, period = T <= LONGEST, T > 0
     spare = LONGEST - STIFFNESS * LONGEST**2
     inside = positive(

@@ -43,7 +43,7 @@ def derive(page):
         "s4d-delay-shrinks-area",
         delay_takes_area(),
         note="the area falls with each period of delay, up to $d=8$, for one arm; the regions "
-        "themselves are not nested (s4d-delay-shrinks)",
+        r"themselves are not nested (\texttt{s4d-delay-shrinks})",
     )
 
 

@@ -45,21 +45,21 @@ def derive(page):
         note="the statement is proved without delay. The spring is the stiffest of (23), with "
         "the smallest and the largest damping. The damper may have any damping in the range "
         "(23). The mass is twice that of the arm of Figs. 11 and 12. A single wall can lose its "
-        "stability (s4d-all-stabilising)",
+        r"stability (\texttt{s4d-all-stabilising})",
     )
 
 
-# Without delay the region with a spring holds a copy of the one without, moved to the left.
+# Without delay the region with a spring contains the region without it, moved to the left.
 #
-# With L = 1 - e each of Jury's inequalities gains by the spring, on a box that holds all walls.
-# The devices' numbers are known to a part in a million, so that their difference is known, too.
+# With L = 1 - e, the spring enlarges each of Jury's polynomials on a box that holds all walls.
+# The coefficients of both devices are known to a part in a million, and so is their difference.
 
 NEAR = Rational(5, 10**7)
-"""So near are n_1 and n_0 to their series in L, less gamma/24."""
+"""The largest distance of n_1 and n_0 from their series in L minus gamma/24."""
 SERIES = {n_1: S.Half - L / 6 - L**2 / 24, n_0: S.Half - L / 3 - L**2 / 24}
 FREE = dict(zip(SERIES, sp.symbols("p_1 p_0"), strict=True))
 SPRUNG = dict(zip(SERIES, sp.symbols("q_1 q_0"), strict=True))
-"""What the numbers are more than that, without the spring and with it."""
+"""The differences of n_1 and n_0 from the series, without a spring and with it."""
 BOX = {
     **{alpha: (S.Zero, WIDE), beta: (LOW, HIGH), L: THIN[L]},
     **dict.fromkeys((*FREE.values(), *SPRUNG.values()), (-NEAR, NEAR)),
@@ -69,11 +69,11 @@ NAMED = {
     **{PRIMED[n]: SERIES[n] - STIFF / 24 + SPRUNG[n] for n in SERIES},
     e: 1 - L,
 }
-"""The devices' numbers by the symbols of the box."""
+"""The coefficients of the devices in terms of the symbols of the box."""
 
 
 class Both:
-    """The devices without and with a spring, of the same damping, and a wall of the first."""
+    """Two devices of the same damping, without and with a spring, and a wall of the first."""
 
     def __init__(self, damper: Expr) -> None:
         self.free = {gamma: S.Zero, delta: damper}
@@ -88,11 +88,11 @@ class Both:
         self.known = self._known()
 
     def of(self, expr: Expr, device: dict[Symbol, Expr]) -> Theorem:
-        """0 < f of one of the devices."""
+        """0 < f for one of the devices."""
         return inst(at_point(expr, {s: (device[s], device[s]) for s in RANGES}), device)
 
     def _known(self) -> list[Theorem]:
-        """That wall and devices lie in the box."""
+        """The wall and the coefficients of the devices lie in the box."""
         self.wall = {n: numbers_known(inst(t, self.free)) for n, t in bounds().items()}
         known = [
             positive(alpha >= 0, [self.wall["right"]]),
@@ -118,14 +118,14 @@ class Both:
         return known
 
     def gains(self, expr: Expr) -> Theorem:
-        """0 < f of the wall and the devices, by balls."""
+        """0 < f for the wall and the devices, by ball arithmetic."""
         used = sp.expand(expr.xreplace(NAMED))
         ends = {s: BOX[s] for s in BOX if s in used.free_symbols}
         certificate: Any = box.positive(used, ends)
         return closed(inst(on_plain_box(certificate), self.places), *self.known)
 
     def inequality(self, goal: Any, before: Theorem | None) -> Theorem:
-        """One of Jury's of the moved wall, by how much more it is than ``before``."""
+        """One of Jury's inequalities for the moved wall, from that for the wall (``before``)."""
         given = [] if before is None else [inst(before, self.free)]
         rest = goal.right - sum(t.conclusion.right for t in given)
         here, there = (rest.expand().coeff(n) for n in (a, PRIMED[a]))
@@ -149,7 +149,7 @@ class Both:
         total = self.of(n_1 + n_0, self.sprung)
         shown = [combined(first, [self.wall["right"], total], [self.static_sprung, -S.One])]
         known = inequalities(0)[1:]
-        # the third is far from zero, and gains nothing
+        # the third is far from zero, and the spring does not enlarge it
         befores = (known[0], None, known[2])
         for goal, before in zip(others, befores, strict=True):
             shown.append(self.inequality(goal, before))
@@ -162,7 +162,7 @@ class Both:
 
 @cache
 def spring_adds() -> Theorem:
-    """The moved wall of every stable one is stable with the spring, for both dampings."""
+    """If a stable wall is moved, it is stable with the spring, for both dampings."""
     claim: Any = moved_by_the_spring()
     found = []
     for part, damper in zip(claim.of, ENDS, strict=True):

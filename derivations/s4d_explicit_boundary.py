@@ -129,7 +129,7 @@ def _settled(page):
     page.settle_external(
         "s4d-explicit-only-undelayed",
         "what was derived in [15] and [12]",
-        "an explicit boundary for every spring and delay is our own result (explicit-boundary)",
+        r"\texttt{explicit-boundary} gives an explicit boundary for every spring and delay",
     )
 
 
@@ -174,7 +174,7 @@ def _undamped(page):
 
 
 def begin(page, stiffness, damping):
-    """The end at theta -> 0, in units of gamma, with x = cos Omega."""
+    """The limit at theta -> 0, in units of gamma, with x = cos Omega."""
     half = Rational(1, 2)
     page.say(
         r"The boundary starts on the line $\beta=\alpha(d+\frac12)$ of (25) with a smaller slope. "
@@ -219,7 +219,7 @@ def begin(page, stiffness, damping):
 
 
 def end(page):
-    """The end at theta -> pi, for integer delays."""
+    """The limit at theta -> pi, for integer delays."""
     page.say(
         "At the other end, for integer $d$, stiffness and damping grow without bound. As "
         r"$\sin(d+1)\theta=(-1)^d\sin(d+1)(\pi-\theta)$, the sum $\alpha+2\beta$ has a limit:"

@@ -23,7 +23,7 @@ def derive(page):
 
 
 def start(page):
-    """The end at theta -> 0, and the slope there."""
+    """The limit at theta -> 0, and the slope there."""
     page.lemma(
         r"At $z=1$ the denominator is $\gamma$ times the numerator",
         device_static(assume(DEVICE)),
@@ -61,7 +61,7 @@ def start(page):
         ("to the right", stiffness + gamma, right, r"\alpha(\theta)+\gamma"),
         ("up", damping + s_1 + d * gamma, up, r"\beta(\theta)+s_1+d\gamma"),
     ):
-        title = f"From its start the boundary goes {way} in the second order"
+        title = f"To second order the boundary goes {way} from its start"
         name = rf"\frac{{{name}}}{{\theta^2}}"
         page.limit(title, moved / theta**2, theta, S.Zero, value, name=name)
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
@@ -77,7 +77,7 @@ def start(page):
 
 
 def without_spring(page, slope):
-    """gamma = 0: the start is (0, -delta), on the line."""
+    """Without a spring the boundary starts at (0, -delta), on the line."""
     device = plant.sampled(plant.normalised(Parts(stiffness=False)))
     numbers = {gamma: 0, N_1: device.n1, N_0: device.n0, E: device.e}
     page.step(
@@ -111,7 +111,7 @@ def without_spring(page, slope):
 
 
 def gap(page):
-    """How far the start lies below the line of (25)."""
+    """The distance of the start from the line of (25)."""
     device = plant.sampled(plant.normalised(FULL), split=c)
     given = {gamma: (delta**2 - c**2) / 4}
     waves = gamma * sinh(delta / 2) + gamma * delta / c * sinh(c / 2)
@@ -151,7 +151,7 @@ def gap(page):
 
 
 def nyquist(page):
-    """The end at theta -> pi, for integer delays."""
+    """The limit at theta -> pi, for integer delays."""
     a = symbols("a")
     arm = plant.Sampled(N_1, N_0, a, E)
     stiffness, damping = boundary.solved(on_circle(boundary.needed(arm)) * exp(-I * d * pi))

@@ -44,8 +44,8 @@ def derive(page):
     found = for_all(numbers, [device], signs())
     page.state(
         "arm-numbers",
-        "for $\\gamma-\\frac14\\delta^2<\\pi^2$: $0<\\nu\\le\\frac12$, $s_2>0$ and "
-        "$s_1\\ge\\delta+\\frac12\\gamma$, which is $>$ for $\\gamma\\delta>0$",
+        r"for $\gamma-\frac14\delta^2<\pi^2$: $0<\nu\le\frac12$, $s_2>0$ and "
+        r"$s_1\ge\delta+\frac12\gamma$, with $>$ for $\gamma\delta>0$",
         claim=every((gamma, delta), arms, found.conclusion),
     )
     page.settle(

@@ -56,7 +56,7 @@ def derive(page):
 
 # Around the origin the stable walls without delay lie above beta = alpha/2 - delta.
 #
-# Jury's minor is S (1 - n_0 beta) (beta + delta - alpha/2) but for little.
+# Jury's minor is S (1 - n_0 beta) (beta + delta - alpha/2) plus small terms.
 
 ABOVE = beta - alpha / 2 + delta
 SEEN = {**RANGES, alpha: (-STIFF, FRAME[0]), beta: (-FRAME[1], FRAME[1])}
@@ -65,7 +65,7 @@ LITTLE = Rational(4, 10**5)
 
 @cache
 def rest(sign: int) -> tuple[Theorem, Theorem, Theorem]:
-    """What the minor is more or less than S (1 - n_0 beta) (beta + delta - alpha/2)."""
+    """Bounds of the minor minus S (1 - n_0 beta) (beta + delta - alpha/2), of one sign."""
     lag = TOTAL / 2 * ROOM - n_0 * (1 + beta * n_1)
     most = (FINE * TOTAL - LITTLE) * ROOM + sign * (alpha * lag - gamma * n_0 * beta * TOTAL)
     slow = LITTLE + sign * (1 - e - delta * TOTAL)
@@ -73,7 +73,7 @@ def rest(sign: int) -> tuple[Theorem, Theorem, Theorem]:
 
 
 def above() -> Theorem:
-    """A stable wall lies above the line, or hardly below."""
+    """A stable wall lies above the line, or less than FINE below it."""
     minor, total = inequalities(0)[3], plants()["total"]
     most, slow, room = rest(-1)
     goal = ABOVE + FINE
@@ -87,7 +87,7 @@ def above() -> Theorem:
 
 @cache
 def origin() -> Theorem:
-    """Both, for every arm of (23)."""
+    """Near the origin, the stable walls are those above the line, for every arm of (23)."""
     then = taken_apart(CLAIMED["fig8"](()))[2]
     inside, above_ = then.of
     left = combined(alpha >= -STIFF, [assume(alpha > -gamma)], [assume(gamma <= STIFF)])
@@ -105,7 +105,7 @@ def _share() -> Expr:
 
 
 def is_filled() -> Theorem:
-    """A wall above the line, right of alpha = -gamma, is stable."""
+    """A wall above the line and to the right of alpha = -gamma is stable."""
     minor, known = inequalities(0)[3].conclusion, plants()
     most, slow, room = rest(1)
     high = positive(ABOVE - FINE > 0, ABOVE > FINE)

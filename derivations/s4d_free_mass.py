@@ -54,14 +54,14 @@ def derive(page):
         name="p_1(z)",
     )
     page.step(
-        "The second root near 1 moves inside",
+        r"The second root near 1 moves inside as $\beta$ grows",
         (-diff(loose, beta) / diff(loose, z)).subs(beta, 0).subs(z, 1),
         -1,
         name=r"\frac{dz}{d\beta}",
         because=r"the second root is at $z=1$ for $\beta=0$; the other $d+1$ roots are at 0",
     )
     page.step(
-        "The first root near 1 moves inside",
+        r"The first root near 1 moves inside as $\alpha$ grows",
         (-diff(polynomial, alpha) / diff(polynomial, z)).subs({alpha: 0, z: 1}),
         -1 / beta,
         name=r"\frac{dz}{d\alpha}",
@@ -140,7 +140,7 @@ def concave():
 
 
 def damping_given():
-    """(alpha + 2 beta)^2 by alpha and tau."""
+    """(alpha + 2 beta)^2 in terms of alpha and tau."""
     cosine = Eq(alpha, 4 * tau**2 * cos(ANGLE))
     sine = Eq(alpha + 2 * beta, 4 * tau * sin(ANGLE))
     return combined(

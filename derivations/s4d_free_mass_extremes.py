@@ -21,7 +21,7 @@ RISE = (
 )
 """The slope of the damping along the arc."""
 FALL = (d + 1) * ((2 + cos(theta)) * sin(ANGLE) + (d + 1) * sin(theta) * cos(ANGLE))
-"""Less the slope of g along the arc."""
+"""Minus the slope of g along the arc."""
 DELAYS = range(9)
 
 

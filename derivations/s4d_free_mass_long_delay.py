@@ -1,8 +1,8 @@
 r"""How does the largest stiffness of a free mass fall with the delay?
 
-On the arc that bounds the stable walls of a free mass let $\varphi=(d+1)\theta$, between 0 and
-$\pi/2$, and $h=1/(d+1)$. We look for the limit of $(d+1)^2\alpha_{\max}$ for long delays, for the
-rate of convergence, and for bounds.
+Let $\varphi=(d+1)\theta$, which lies between 0 and $\pi/2$ on the arc that bounds the stable walls
+of a free mass, and let $h=1/(d+1)$. We look for the limit of $(d+1)^2\alpha_{\max}$ for long
+delays, for the rate of convergence, and for bounds.
 """
 
 from symhaptic.book.lemmas.prelude import *

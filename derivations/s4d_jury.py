@@ -13,7 +13,7 @@ from symhaptic.notation import s, x, y, z
 from symhaptic.notation.latex import latex
 
 DEGREES = range(2, 8)
-"""At which the general formulas are checked by polynomial arithmetic."""
+"""The degrees at which polynomial arithmetic checks the general formulas."""
 
 
 def derive(page):
@@ -150,7 +150,7 @@ def half_planes(page):
 
 
 def inners(page):
-    """The minors are Jury's inner determinants |X - Y| of orders n-1, n-3, ..."""
+    """The minors are Jury's inner determinants abs(X - Y) of orders n-1, n-3, ..."""
     for n in (3, 5, 4):
         falling = [S.One, *symbols(f"a_0:{n}")[::-1]]
         minors = jury.criterion(falling).expressions[-(n // 2) :]
@@ -168,5 +168,5 @@ def inners(page):
 
 
 def polynomials(rising):
-    """F and G."""
+    """The polynomials F and G."""
     return [sum(c * x**i for i, c in enumerate(half)) for half in jury.halves(rising)]

@@ -1,8 +1,8 @@
 r"""How do the inequalities of Jury's criterion grow with the delay?
 
-The criterion of \chapter{s4d_jury} is applied to the loop, with the device's numbers $n_1$, $n_0$,
-$a$ and $e$ left as symbols. We ask which inequalities form the boundary of the stable region,
-whether one of them is redundant, and how large they become.
+The criterion of \chapter{s4d_jury} is applied to the loop, with the device's coefficients $n_1$,
+$n_0$, $a$ and $e$ left as symbols. We ask which inequalities form the boundary of the stable
+region, whether one of them is redundant, and how large they become.
 """
 
 from itertools import combinations
@@ -16,7 +16,7 @@ from symhaptic.model.jury import jury as conditions_on
 
 FREE = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
 HEAVY = Sampled(Rational(17, 100), Rational(4, 100), Rational(101, 100), Rational(1, 100))
-"""About a mass with delta = 4.6."""
+"""Approximately the coefficients of a mass with delta = 4.6."""
 
 HEAD = ["$d$", "inequalities", "half planes", "terms", "degree in $\\alpha$", "in $\\beta$"]
 
@@ -63,9 +63,9 @@ def derive(page):
     )
     page.say("With a delay there are $d+4$ inequalities, and the largest one grows with $d$:")
     page.table(
-        r"The inequalities in $\alpha$, $\beta$ and the four coefficients of the device: their "
-        r"number, the number of half planes of the $(\alpha,\beta)$-plane among them, the number "
-        "of terms and the degrees of the largest one, and the number of its terms for a free mass.",
+        r"Number of inequalities in $\alpha$, $\beta$ and the four coefficients of the device, "
+        "number of half planes among them, terms and degrees of the largest inequality, and its "
+        "terms for a free mass.",
         [*HEAD, "free mass"],
         [row(delay) for delay in range(9)],
     )
@@ -112,7 +112,7 @@ def none_is_idle(page, four):
 
 
 def fails_alone(inequalities, place, numbers):
-    """There are numbers and a wall at which only one inequality fails."""
+    """Some device and wall violate this inequality and no other."""
     values = dict(zip((*NUMBERS, alpha, beta), map(sympify, numbers), strict=True))
     claims = [negated(p) if i == place else p for i, p in enumerate(inequalities)]
     found = conj(*(fact(p.at(values)) for p in claims))
@@ -120,7 +120,7 @@ def fails_alone(inequalities, place, numbers):
 
 
 def pairs(page):
-    """The last minor is the product of 1 - r_i r_k."""
+    """The last minor is the product of the factors 1 - r_i r_k."""
     for n in (2, 4, 5):
         roots = symbols(f"r_1:{n + 1}")
         product = Mul(*(1 - one * two for one, two in combinations(roots, 2)))
@@ -148,7 +148,7 @@ def pairs(page):
 
 
 def row(delay):
-    """One line of the table."""
+    """One row of the table."""
     found = jury.criterion(jury.coefficients(delay))
     free = jury.criterion(jury.coefficients(delay, FREE))
     planes = sum(all(i + k <= 1 for i, k, *_ in p.monoms()) for p in found.polynomials)
@@ -156,14 +156,14 @@ def row(delay):
     return [delay, len(found.polynomials), planes, found.terms, *degrees, free.terms]
 
 
-# The inequalities that ``symhaptic.jury`` returns are those of the criterion, and decide.
+# The inequalities of ``symhaptic.jury`` are those of the criterion, and decide stability.
 
 DELAYS = (0, 1, 2)
 WALLS = (alpha, beta, gamma, delta, *NUMBERS)
 
 
 def decided_by_jury() -> Proposition:
-    """A wall is stable just where all inequalities of jury(d) hold, for d = 0, 1 and 2."""
+    """A wall is stable if and only if all inequalities of jury(d) hold, for d = 0, 1 and 2."""
     return both(every(WALLS, [DEVICE], Iff(_sides(n))) for n in DELAYS)
 
 
@@ -173,12 +173,11 @@ def _sides(delay: int) -> tuple[Proposition, Proposition]:
 
 @cache
 def jury_decides() -> Theorem:
-    """The claim."""
     return conj(*(for_all(WALLS, [DEVICE], add_assum(_same(n), DEVICE)) for n in DELAYS))
 
 
 def _same(delay: int) -> Theorem:
-    """Each polynomial is one of the criterion's times a positive number."""
+    """Each polynomial is a positive multiple of one of the criterion's polynomials."""
     criterion = by_inequalities(delay)
     stable, wanted = _sides(delay)
     theirs: Any = criterion.conclusion.parts[1]
@@ -190,7 +189,7 @@ def _same(delay: int) -> Theorem:
 
 
 def _scaled(claim: Any, known: list[Theorem]) -> Theorem:
-    """One relation from the one of several that is a multiple of it."""
+    """A relation, from the known relation of which it is a multiple."""
     positive = proposition(claim)
     assert isinstance(positive, Relation)
     for theorem in known:

@@ -73,7 +73,7 @@ def derive(page):
 
 
 def formulas(page, minor):
-    """The one condition that is left, in both kinds of units."""
+    """The remaining condition, in dimensionless parameters and in SI units."""
     most = RISE * (beta + delta) * (1 - n_0 * beta) / (n_0 * (1 + n_1 * beta))
     page.same("the minor vanishes", minor.subs(alpha, most), S.Zero)
     page.say(

@@ -77,7 +77,7 @@ def free_mass(page):
 
 
 def three_are_enough(minor, *four):
-    """Of the four inequalities the second and third are said by beta > 0."""
+    """The condition beta > 0 replaces the second and the third of the four inequalities."""
     positive_minor = Relation(S.Zero, "<", minor)
     before, after = both(four), both([alpha > 0, beta > 0, positive_minor])
     push, _, low, last = (conjunct(assume(before), p) for p in four)
@@ -98,7 +98,7 @@ def three_are_enough(minor, *four):
 
 
 def half_plane(push, brake, last):
-    """0 < PLANE: 8 beta (1 - beta) is not negative where the minor is positive."""
+    """0 < PLANE, because 8 beta (1 - beta) is positive where the minor is positive."""
     rest = positive(
         8 * beta * (1 - beta) > 0, [last], [2, *[brake] * 3], [12, push], [push, brake, brake],
         [2, push, push],
@@ -137,9 +137,9 @@ def two_roads(page):
         )
     page.figure(
         "jury",
-        "Jury's inequalities for a free mass with two periods of delay. Each line is the border of "
-        "one inequality, all inequalities hold in the green region, and the dots are points of the "
-        "explicit boundary. The thick line is the border of the last minor; only this line and "
-        r"$\alpha=0$ bound the region.",
+        "Jury's inequalities for a free mass with two periods of delay. Each line is the "
+        "boundary of one inequality. All inequalities hold in the green region. The dots are "
+        "points of the explicit boundary. The thick line is the boundary of the last minor; only "
+        r"this line and $\alpha=0$ bound the region.",
         free_mass_inequalities,
     )

@@ -69,7 +69,7 @@ def derive(page):
 
 
 def _settled(page):
-    """What of all this is a theorem: the arms of (23), and damped arms with any spring."""
+    """Theorems for the arms of (23), and for damped arms with any spring."""
     page.say(
         "For the arms of (23) and without delay, the exact curve of "
         r"\chapter{s4d_figure7_undelayed} shows that the region ends on the line. With a delay "
@@ -88,8 +88,8 @@ def _settled(page):
         example={alpha: S.Zero, gamma: S.Zero, delta: S.Zero},
         note=r"for $d\ge1$ inside (23) we show only $\alpha>-\gamma$. At the limits of (23), for "
         "$d=1$ and $d=2$, some stable walls are within the thickness of a printed line of this "
-        "bound (fig9). With a spring that is stiffer than (23), the region may not reach the "
-        r"line, as for $\sqrt\gamma=\tfrac23\pi$, $d=1$ and $\delta=0$",
+        r"bound (\texttt{fig9}). With a spring that is stiffer than (23), the region may not "
+        r"reach the line, as for $\sqrt\gamma=\tfrac23\pi$, $d=1$ and $\delta=0$",
     )
     page.say(
         r"For a damped device without delay, or with one period of delay and $\gamma<2\delta$, "
@@ -134,7 +134,7 @@ def soft_spring(page):
     page.lemma("All zeros of this cubic lie inside the unit circle", roots_inside(cubic, z, {}))
 
 
-# Stable walls lie to the right of alpha = -gamma, and passive ones of damped arms come near it.
+# Stable walls lie to the right of alpha = -gamma; with damped arms passive walls come near it.
 
 LINE = proposition(Eq(alpha, -gamma))
 NONE, ONE = (Relation(d, "=", n) for n in (S.Zero, S.One))
@@ -144,17 +144,17 @@ SOFT = Or(
         And((proposition(delta > 0), ONE, proposition(gamma < 2 * delta))),
     )
 )
-"""A damper, and no delay, or one of a period beside a spring that is not too stiff."""
+"""A damped device without delay, or with one period of delay and gamma < 2 delta."""
 
 STEP = delta * x / (delta + 2 * x)
-"""Less than x and delta/2."""
+"""A number less than x and delta/2."""
 REACH = {S.Zero: delta / 2, S.One: delta / 4 - gamma / 8}
-"""Up to which virtual damping the line is reached, for each delay."""
+"""The virtual damping up to which the region reaches the line, for each delay."""
 
 
 @cache
 def right_of_the_line(delay: Expr) -> Theorem:
-    """A stable wall has alpha < alpha', on the line, for a damped device and an integer delay."""
+    """Every stable wall of a damped device lies to the right of the line alpha = -gamma."""
     late = Relation(d, "=", delay)
     static, pushed = at_rest()
     loop = by_zeros(OTHER, beta, gamma, delta, delay)
@@ -176,7 +176,7 @@ def right_of_the_line(delay: Expr) -> Theorem:
 
 @cache
 def near_the_line(delay: Expr) -> Theorem:
-    """The wall STEP to the right of the line is passive and stable, with little virtual damping."""
+    """With little virtual damping, the wall STEP to the right of the line is stable."""
     late, reach = Relation(d, "=", delay), REACH[delay]
     place = sp.Symbol("q")
     pattern = Relation(S.Zero, "<=", MARGIN.xreplace({d: place}))
@@ -204,13 +204,13 @@ def _between(reach: Expr) -> tuple[Proposition, ...]:
 
 
 def _turns(angle: Expr) -> tuple[Theorem, ...]:
-    """0 <= 1 - cos and 0 <= 1 + cos."""
+    """0 <= 1 - cos(angle) and 0 <= 1 + cos(angle)."""
     sides = 1 - cos(angle), 1 + cos(angle)
     return tuple(show(side >= 0, square(side), bounded(cos, angle)) for side in sides)
 
 
 def _placed(stable: Theorem, reach: Expr) -> Theorem:
-    """With alpha = -gamma + STEP, for every x and every beta up to the reach."""
+    """A stable wall at alpha = -gamma + STEP, for every x and every beta up to the reach."""
     here = Given(x > 0, delta > 0, gamma >= 0)
     values = {OTHER: -gamma + STEP}
     for claim in STEP > 0, delta / 2 - STEP > 0, x - STEP > 0:
@@ -229,7 +229,7 @@ def _placed(stable: Theorem, reach: Expr) -> Theorem:
 
 @cache
 def left_bound() -> Theorem:
-    """Both, under SOFT."""
+    """Under SOFT, stable walls lie to the right of the line and come arbitrarily close to it."""
     cases = (conj(right_of_the_line(d_), near_the_line(d_)) for d_ in (S.Zero, S.One))
     return disj_cases(assume(SOFT), *cases)
 
@@ -237,14 +237,14 @@ def left_bound() -> Theorem:
 # -- arms of (23) without delay --------------------------------------------------------
 
 NEAR = Rational(1, 100)
-"""Walls so near to the line are stable without delay."""
+"""Walls within this distance of the line are stable without delay."""
 SHORT = NEAR * x / (NEAR + 2 * x)
-"""Less than x and NEAR/2."""
+"""A number less than x and NEAR/2."""
 
 
 @cache
 def bound_of_arms() -> Theorem:
-    """What the claim s4d-left-bound says, under its hypotheses."""
+    """The conclusion of s4d-left-bound, under its hypotheses."""
     place = sp.Symbol("q")
     right = show(alpha < place, inst(figure9.right_of_the_line(), {alpha: place}), LINE)
     right = inst(right, {place: OTHER})

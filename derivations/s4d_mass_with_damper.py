@@ -101,5 +101,5 @@ def damping(page, polynomial):
 
 
 def of_masses(theorem):
-    """A theorem of arms with the spring gamma = 0."""
+    """The theorem for arms without a spring, gamma = 0."""
     return numbers_known(inst(theorem, {gamma: S.Zero}))

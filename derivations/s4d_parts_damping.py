@@ -39,7 +39,7 @@ def derive(page):
         r"positive. This argument fails only for walls with $\alpha=-\gamma$."
     )
     page.lemma(
-        r"For the arms of (23) and without delay, a wall with $\alpha>-\gamma$ on the border of "
+        r"For the arms of (23) and without delay, a wall with $\alpha>-\gamma$ on the boundary of "
         "the stable region is stable with more damping",
         grows(),
         because=r"a strict inequality along the path holds with $\ge$ at its end",
@@ -52,7 +52,7 @@ def derive(page):
         grown(then),
         example=point,
         note="the statement is proved without delay only; with a stiff spring it is false "
-        "(damping-destabilises)",
+        r"(\texttt{damping-destabilises})",
     )
     page.say(
         r"For stiffer springs the statement is false. Take $\gamma=5$, $\alpha=-4$, $\beta=5.9$ "

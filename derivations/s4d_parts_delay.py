@@ -73,5 +73,5 @@ def derive(page):
         shows="with an arm of (23), some wall is stable at $d=1$ and unstable at $d=0$",
         note="the statement is false for the regions as sets of walls, even if only walls with "
         "$K>0$ count. For the areas of the regions it is true for the arm of Figs. 11 and 12 up "
-        "to $d=8$ (s4d-delay-shrinks-area)",
+        r"to $d=8$ (\texttt{s4d-delay-shrinks-area})",
     )

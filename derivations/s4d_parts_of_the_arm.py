@@ -3,9 +3,9 @@ r"""Do the mass, the spring and the damper of an arm all stabilise the wall?
 The paper concludes that each of these parts is stabilising. A single wall that is stable without
 one of these parts and unstable with it is a counterexample. The areas of the regions are compared
 in \chapter{s4d_areas_of_the_arm}. For each wall we show its polynomial,
-$z^{d+1}(z^2-az+e)+(n_1z+n_0)((\alpha+\beta)z-\beta)$ with the numbers of the device, and the zero
-that certified balls isolate. Without delay a calculation by hand is sufficient: Jury's inequality
-$1-a_0^2>|a_1-a_0a_2|$ decides the stability of $z^3+a_2z^2+a_1z+a_0$.
+$z^{d+1}(z^2-az+e)+(n_1z+n_0)((\alpha+\beta)z-\beta)$ with the coefficients of the device, and the
+zero that certified balls isolate. Without delay a calculation by hand is sufficient: Jury's
+inequality $1-a_0^2>|a_1-a_0a_2|$ decides the stability of $z^3+a_2z^2+a_1z+a_0$.
 """
 
 from symhaptic.book.lemmas.passive_is_stable import EVERY_MARGIN, LOOP, MARGIN, passive_is_stable
@@ -76,20 +76,20 @@ def derive(page):
             (_arms(light, 2, S.Zero), steady, falls),
         ],
         shows="some wall is stable with a free mass and unstable with a spring of (23)",
-        note="the correction concerns single walls. Twice the mass destabilises a wall at "
-        "$d=1$, and outside (23) more damping can destabilise a wall. Without delay, none of "
-        "the three parts reduces the area (s4d-all-stabilising-area)",
+        note="the correction concerns single walls. Twice the mass destabilises a wall at $d=1$, "
+        "and outside (23) more damping can destabilise a wall. Without delay, none of the three "
+        r"parts reduces the area (\texttt{s4d-all-stabilising-area})",
     )
 
 
 def _arms(wall, mass, spring):
-    """A wall in units of mass and period, and beside it the mass and the spring of another arm."""
+    """The parameters of a loop with m = T = 1, and the mass and the spring of another arm."""
     before = {K: wall[alpha], B: wall[beta], T: S.One, m: S.One, b: wall[delta], k: wall[gamma]}
     return before | {d: wall[d]} | dict(zip(MORE, (S(mass), wall[delta], spring), strict=True))
 
 
 def _passive_wall(given):
-    """alpha = 1 and delta = 2, one period of delay: 3/2 - cos(theta) of the damping remains."""
+    """With alpha = 1, delta = 2 and one period of delay the margin is 3/2 - cos(theta)."""
     wall = {alpha: S.One, beta: S.Zero, gamma: S.Zero, delta: S(2), d: S.One}
     turn = square(1 - cos(theta)), bounded(cos, theta)
     left = combined(MARGIN.xreplace(wall) >= 0, *([S.Half, known] for known in turn), [S.Half])

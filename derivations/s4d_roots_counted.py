@@ -1,6 +1,6 @@
 """How can unstable roots be counted at a cost that does not grow with the delay?
 
-The zeros of the characteristic polynomial, or the inequalities of Jury, cost more with every
+Computing the zeros of the characteristic polynomial, or Jury's inequalities, costs more with every
 period of delay. By the argument principle the number of roots follows from the change of the
 polynomial's argument on half the unit circle. The polynomial is a sum of two terms, one of the
 plant and one of the wall. At each angle the argument of the sum differs from that of the larger
@@ -16,8 +16,8 @@ def derive(page):
     top, wall, bottom = n_1 * z + n_0, (alpha + beta) * z - beta, z**2 - a * z + e
     page.say(
         "Write $p_1=f+g$ with the plant's part $f=z^{d+1}A$ and the wall's part $g=NW$, where "
-        "$A=z^2-az+e$, $N=n_1z+n_0$ and $W=(\\alpha+\\beta)z-\\beta$. A root on the circle needs "
-        "$|f|=|g|$. Let $y=4\\sin^2(\\theta/2)$, which goes from 0 at $z=1$ to 4 at $z=-1$:"
+        r"$A=z^2-az+e$, $N=n_1z+n_0$ and $W=(\alpha+\beta)z-\beta$. A root on the circle requires "
+        r"$|f|=|g|$. Let $y=4\sin^2(\theta/2)$, which goes from 0 at $z=1$ to 4 at $z=-1$:"
     )
     sizes = [
         ("A", bottom, (1 - a + e) ** 2 + ((1 - e) ** 2 - (1 - a + e) * (1 + e)) * y + e * y**2),
@@ -144,6 +144,6 @@ def _equally_large(page):
 
 
 def _size(of):
-    """Real part squared and imaginary part squared."""
+    """The square of the absolute value."""
     mirror = of.xreplace({I: -I})
     return ((of + mirror) / 2) ** 2 + ((of - mirror) / (2 * I)) ** 2

@@ -73,7 +73,7 @@ def derive(page):
     )
 
 
-# A wall beside a device without a spring: where one of them is stronger on the circle.
+# A device without a spring: at which angles the wall or the plant is larger.
 
 y = symbols("y")
 WALL = alpha, beta, n_1, n_0, e
@@ -81,25 +81,25 @@ GIVEN = tuple(map(proposition, (n_1 > 0, n_0 > 0, e > 0)))
 
 
 def surplus(at: Expr = y) -> Expr:
-    """|A|^2 - |N|^2 |W|^2 at y = 4 sin^2(theta/2), for a - e = 1."""
+    """abs(A)^2 - abs(N)^2 abs(W)^2 at y = 4 sin^2(theta/2), for a - e = 1."""
     device = (1 - e) ** 2 * at + e * at**2
     moved = (n_1 + n_0) ** 2 - n_1 * n_0 * at
     return device - moved * (alpha**2 + (alpha + beta) * beta * at)
 
 
 STRONG = proposition(surplus(4) <= 0)
-"""The wall is as strong as the device at z = -1."""
+"""At z = -1 the wall is at least as large as the plant."""
 
 
 def stronger() -> Proposition:
-    """A wall that is as strong as the device at z = -1 is stronger before, but at z = 1."""
+    """A wall that is as large as the plant at z = -1 is larger at all other angles."""
     inside = (y > 0, y < 4)
     return ForAll(WALL, implied(GIVEN, ForAll((y,), implied([STRONG, *inside], surplus() < 0))))
 
 
 @cache
 def stronger_everywhere() -> Theorem:
-    """The surplus lies below its chord, and what it lies above that is outweighed at z = 1."""
+    """The surplus is negative, because a chord and its value at z = 1 bound it from above."""
     left = positive(4 - y > 0, y < 4)
     there = square((n_1 + n_0) * alpha)
     apart, far = square((n_1 - n_0) * alpha), square(alpha + 2 * beta)

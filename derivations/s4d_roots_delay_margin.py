@@ -13,9 +13,9 @@ from symhaptic.book.lemmas.stability import stable_at, unstable_at
 def derive(page):
     page.say(
         "Let $h=-NW/A$. A root is a point where $z^{d+1}=h(z)$, and in this equation the delay "
-        r"may be any real number (principal sheet). The root moves with the delay by $(d+1)\ln "
-        r"z=\ln h$. Let $u+jw=z\,h'/h$ at $z=e^{j\theta}$; the imaginary part determines the "
-        "direction of the root:"
+        r"may be any real number (principal sheet). The equation $(d+1)\ln z=\ln h$ describes how "
+        r"the root moves with the delay. Let $u+jw=z\,h'/h$ at $z=e^{j\theta}$; the imaginary "
+        "part determines the direction of the root:"
     )
     page.step(
         "With growing delay, a root on the circle moves outwards if $w$ is positive",
@@ -93,7 +93,7 @@ def derive(page):
     )
 
 
-# At which angle can zeros leave the circle while the delay grows?  Plant and wall as two parts.
+# The angle at which zeros leave the unit disc as the delay grows, by the sizes of plant and wall.
 
 TURN = exp(I * theta)
 PLANT = exp(I * (d + 1) * theta) * (TURN**2 - a * TURN + e)
@@ -103,12 +103,12 @@ NAMES = (alpha, beta, n_1, n_0, a, e, d, theta)
 
 
 def size(of: Expr) -> Expr:
-    """Real part squared and imaginary part squared."""
+    """The square of the absolute value."""
     return ((of + mirror(of)) / 2) ** 2 + ((of - mirror(of)) / (2 * I)) ** 2
 
 
 SURPLUS = size(PLANT) - size(WALL)
-"""By how much the plant leads."""
+"""The surplus of the plant over the wall."""
 
 ZERO = Relation(PLANT + WALL, "=", S.Zero)
 EQUAL = Relation(SURPLUS, "=", S.Zero)
@@ -116,41 +116,41 @@ EQUAL = Relation(SURPLUS, "=", S.Zero)
 
 @cache
 def slope() -> Expr:
-    """How the lead changes with the angle."""
+    """The slope of the surplus with respect to the angle."""
     return sp.diff(SURPLUS, theta)
 
 
 def outwards() -> Relation:
-    """Re dz/(z dd) at a zero, times |dp/dtheta|^2: dp = 0 says dz/(z dd) = theta f/(dp/dtheta)."""
+    """Re dz/(z dd) at a zero, times abs(dp/dtheta)^2, is theta/2 times the slope of the surplus."""
     speed = sp.diff(PLANT + WALL, theta)
     outward = theta * (PLANT * mirror(speed) + mirror(PLANT) * speed) / 2
     return Relation(outward, "=", theta * slope() / 2)
 
 
 def growing() -> Relation:
-    """The lead grows with the angle."""
+    """The surplus rises with the angle."""
     return Relation(S.Zero, "<", slope())
 
 
 def twice() -> list[Proposition]:
-    """At both angles the plant takes the lead."""
+    """At both angles the surplus is zero and rises."""
     there = [proposition(p) for p in (theta > 0, theta < pi, EQUAL, growing())]
     return [*there, *(p.at({theta: OTHER}) for p in there)]
 
 
 def leaves_where_the_wall_stops_to_lead() -> Proposition:
-    """At a zero on the circle the speed outwards has the sign of the slope of the plant's lead."""
+    """At a zero on the circle the radial velocity has the sign of the slope of the surplus."""
     return every(NAMES, [ZERO], outwards())
 
 
 def at_one_angle() -> Proposition:
-    """Two angles at which the plant takes the lead are one."""
+    """The surplus is zero and rises at one angle at most."""
     return every((*NAMES, OTHER), twice(), Relation(theta, "=", OTHER))
 
 
 @cache
 def speed_outwards() -> Theorem:
-    """The speed is theta/2 times the slope of the surplus, where p = f + g is zero."""
+    """If p = f + g is zero, the radial velocity is theta/2 times the slope of the surplus."""
     turned, zero = theta * sp.diff(WALL, theta) / 2, assume(ZERO)
     found = combined(outwards(), [zero, mirror(turned)], [mirrored(zero), turned])
     return for_all(NAMES, [ZERO], found)
@@ -158,7 +158,7 @@ def speed_outwards() -> Theorem:
 
 @cache
 def one_angle() -> Theorem:
-    """The surplus is q(y) of degree two, with y = 2 - 2 cos(theta), so that it rises once."""
+    """The surplus is a quadratic in y = 2 - 2 cos(theta), so it rises at one zero at most."""
     wanted = Relation(theta, "=", OTHER)
     later = disj_cases(
         ordered(OTHER, theta),
@@ -170,7 +170,7 @@ def one_angle() -> Theorem:
 
 
 def _apart(smaller: Symbol, larger: Symbol) -> Theorem:
-    """At different angles it is falsehood."""
+    """Two different angles lead to a contradiction."""
     rises = positive(
         _mean(smaller, larger) > 0, [S.Half, _rises(smaller)], [S.Half, _rises(larger)]
     )
@@ -191,7 +191,7 @@ def _quadratic(y: Expr) -> Expr:
 
 
 def _rises(angle: Symbol) -> Theorem:
-    """q' is positive where the surplus rises with the angle."""
+    """The quadratic rises with y where the surplus rises with the angle."""
     y = Symbol("y")
     slope = derivative(_quadratic(y), y).subs(y, 2 - 2 * cos(angle))
     sine = sign_of(sin, angle)
@@ -202,7 +202,7 @@ def _rises(angle: Symbol) -> Theorem:
 
 
 def _mean(one: Symbol, other: Symbol) -> Expr:
-    """(q(y) - q(y'))/(y - y'), half the sum of both slopes."""
+    """(q(y) - q(y'))/(y - y') of the quadratic q, the mean of its two slopes."""
     y = Symbol("y")
     slope = derivative(_quadratic(y), y)
     return sum(slope.subs(y, 2 - 2 * cos(angle)) for angle in (one, other)) / 2

@@ -28,12 +28,12 @@ DAMPED, SPRUNG = Rational(1, 50), Rational(1, 1000)
 """delta and gamma within (23); at half the period they are 1/100 and 1/4000."""
 
 STIFF = {alpha: Rational(713, 1000), beta: Rational(33, 40)}
-"""Stable with the damper, and with none of half as much per mass."""
+"""This wall is stable with the damper; with half as much damping per mass no such wall is."""
 LIMIT = {alpha: Rational(686, 1000), beta: Rational(8283, 10000)}
-"""Stable with a quarter of the spring, and with none of it."""
+"""This wall is stable with a quarter of the spring; without a spring no such wall is."""
 BRAKED = {alpha: Rational(1, 1000), beta: Rational(101, 50)}
 HELD = {alpha: -Rational(95, 100000), beta: Rational(200006, 100000)}
-"""The same for the damping: stable with the damper, and with the spring."""
+"""The corresponding walls for the damping, with the damper and with the spring."""
 
 
 def derive(page):
@@ -43,7 +43,7 @@ def derive(page):
 
 
 def stiffness(page):
-    """Four times the stiffness at half the period, beside some damping."""
+    """Half the period allows four times the stiffness at some damping."""
     claim = page.claim("s4d-quadratic-in-period")
     kept = page.lemma(
         "With constant $bT/m$ and $kT^2/m$, half the period allows four times the stiffness",
@@ -68,7 +68,7 @@ def stiffness(page):
 
 
 def bound(page):
-    """Damping in proportion to mass and rate, beside some stiffness."""
+    """The bound of the damping is proportional to mass and rate, at some stiffness."""
     claim = page.claim("s4d-damping-bound")
     kept = page.lemma(
         "With constant $bT/m$ and $kT^2/m$ the bound of $BT/m$ is the same for every period and "
@@ -94,7 +94,7 @@ def bound(page):
 
 
 def one_sided(claim, values, side, free, value, denied):
-    """Of the loop before and after, side 0 and 1, one is stable for a value, the other for none."""
+    """Before (side 0) or after the change (side 1) a wall is stable, and on the other side none."""
     same = taken_apart(claim)[2].at(values)
     stable, lost = same.parts[side], same.parts[1 - side]
     wall = dict(zip(LOOP, stable.body.at({free: value}).terms, strict=True))
@@ -104,7 +104,7 @@ def one_sided(claim, values, side, free, value, denied):
 
 ARM = plant.sampled(plant.normalised(Parts(stiffness=False)))
 BEFORE, AFTER = Rational(1, 50), Rational(1, 100)
-"""delta within (23), and with half the period or twice the mass but the same damper."""
+"""delta within (23), and for the same damper with half the period or twice the mass."""
 
 
 def _changed(page):
@@ -149,7 +149,7 @@ def _changed(page):
 
 
 def all_scaled(page):
-    """The period or the mass changes, and all else with it: the loop stays stable or not."""
+    """Stability is unchanged if all parameters are scaled with the period or the mass."""
     page.lemma(
         "Stability does not change if all parameters are scaled with half the period",
         numbers_known(inst(with_the_rate(STIFFER, STRONGER), {y: S(2)})),

@@ -39,7 +39,7 @@ def derive(page):
         boxed=True,
     )
     page.say(
-        r"Examples are for the largest spring and damper of (23), $\gamma=0.001$ and "
+        r"The examples have the largest spring and damper of (23), $\gamma=0.001$ and "
         r"$\delta=0.02$, and the stiffness $\alpha=0.05$:"
     )
     for delay, low, high in ((0, "1.9", "2.1"), (1, "0.7", "0.9")):
@@ -60,7 +60,7 @@ def derive(page):
 
 
 def _lost():
-    """Without delay beta = 1.9 is stable beside alpha = 0.05, and 2.1 is not."""
+    """Without delay, at alpha = 0.05, beta = 1.9 is stable and beta = 2.1 is not."""
     wanted = lost_by_damping()
     little, much = ({**ARM, d: S.Zero, beta: Rational(text)} for text in ("1.9", "2.1"))
     values = {**little, AFTER: much[beta]}
@@ -69,15 +69,15 @@ def _lost():
     return exists(conj(*(known.get(p) or fact(p) for p in there)), wanted, values)
 
 
-# No stable wall has more virtual damping than a bound, whatever its stiffness and the delay.
+# One bound limits the virtual damping of all stable walls, for every stiffness and delay.
 
 OVER, LESS, FEWER = sp.symbols("p q r")
-"""d = p/(s + 1), and q = p - 1."""
+"""The delay is d = p/(s + 1), and q = p - 1."""
 
 
 @cache
 def none_or_more() -> Theorem:
-    """p = 0 or p - 1 is whole, for whole p."""
+    """An integer p >= 0 is 0, or p - 1 is an integer that is not negative."""
     none, more = Relation(OVER, "=", S.Zero), whole(OVER - 1)
     claim = Or((none, more))
     start = disj(identity(S.Zero, S.Zero), claim.at({OVER: S.Zero}))
@@ -96,7 +96,7 @@ BOUND = Exists((x,), every((alpha, beta), [STABLE], beta < x))
 
 @cache
 def bounded_damping() -> Theorem:
-    """Every stable wall has beta < x, with one x for all of a device, under 0 <= d."""
+    """For each device and each d >= 0 there is an x with beta < x for every stable wall."""
     either = disj_cases(
         ordered(n_0, S.Zero),
         _by_the_product(-n_0),
@@ -106,14 +106,14 @@ def bounded_damping() -> Theorem:
 
 
 def _by_the_product(size: Expr) -> Theorem:
-    """n_0 is not 0: beta < 1/|n_0|."""
+    """If n_0 is not 0, beta < 1/abs(n_0)."""
     product = _last(assume(ZEROS))
     signs = [conjunct(product, p) for p in product.conclusion.parts]
     return _bound(positive(1 - beta * size > 0, [signs[size != n_0]]), size)
 
 
 def _bound(room: Theorem, size: Expr) -> Theorem:
-    """BOUND from 0 < c - beta n for a number 0 < n of the device."""
+    """BOUND follows from 0 < c - beta n with a number 0 < n of the device."""
     there = positive(size > 0, -size < 0) if size.could_extract_minus_sign() else assume(size > 0)
     most = sp.expand(room.conclusion.right + beta * size) / size
     wall = over(beta < most, room, there)
@@ -123,7 +123,7 @@ def _bound(room: Theorem, size: Expr) -> Theorem:
 
 @cache
 def _without_a_last_number() -> Theorem:
-    """n_0 = 0: beta < (2 + e^2)/|n_1|, and no wall is stable for n_1 = 0."""
+    """If n_0 = 0, beta < (2 + e^2)/abs(n_1); if also n_1 = 0, no wall is stable."""
     return disj_cases(
         ordered(n_1, S.Zero),
         _by_the_next(-n_1),
@@ -136,7 +136,7 @@ NO_FIRST = both_ways(assume(n_1 <= 0), assume(n_1 >= 0))
 
 
 def _last(inside: Theorem, power: Expr = S.Zero) -> Theorem:
-    """The last coefficient, where p, q and s are whole."""
+    """Bounds of the last coefficient, for integers p, q and s."""
     return _in_whole(last_coefficient(inside, power))
 
 
@@ -149,12 +149,12 @@ def _in_whole(found: Theorem) -> Theorem:
 
 
 def _zero(claim: Proposition, symbol: Symbol, equation: Theorem) -> Theorem:
-    """The same with 0 for a symbol."""
+    """The claim with 0 in place of a symbol."""
     return subst(claim, symbol, assume(claim), equation)
 
 
 def _by_the_next(size: Expr) -> Theorem:
-    """The lowest power of z that is left is z^(s+1)."""
+    """If n_0 = 0, the lowest power of z is z^(s+1)."""
     inside = _zero(ZEROS, n_0, NO_LAST)
     claim = inside.conclusion
     none = prove_hyp(_last(_zero(claim, OVER, assume(sp.Eq(OVER, 0))), LESS + 1), inside)
@@ -169,7 +169,7 @@ def _by_the_next(size: Expr) -> Theorem:
 
 
 def _without_numbers() -> Theorem:
-    """A device that no held force moves keeps its zero at 1."""
+    """If n_1 = n_0 = 0, the held force does not move the device, and z = 1 stays a zero."""
     first = _zero(ZEROS, n_0, NO_LAST)
     inside = prove_hyp(_zero(first.conclusion, n_1, NO_FIRST), first)
     static = device_static(assume(DEVICE))

@@ -60,7 +60,7 @@ def derive(page):
 
 
 def settle(page, derived):
-    """Without damping (24) and K > -k are Hurwitz' conditions of the lag."""
+    """Without damping, (24) and K > -k are Hurwitz' conditions for the loop with the lag."""
     same = taken_apart(page.claim("eq24"))[2]
     easy = {m: S.One, T: S.One, t_d: HALF, b: S.Zero, k: S.Zero, B: S.One, K: HALF}
     damped = {m: S.One, T: S.One, t_d: HALF, b: S.One, k: S.Zero, B: S.Zero, K: 3 * HALF}
@@ -79,7 +79,7 @@ def settle(page, derived):
 
 
 def neglected(page):
-    """Hold, delay and difference against lag and derivative."""
+    """Compare hold, delay and difference with lag and derivative."""
     page.say(
         "Hold and delay have the transfer function $H_0=e^{-t_ds}(1-e^{-Ts})/(Ts)$, the backward "
         "difference is $D=(1-e^{-Ts})/T$, and the sampler adds aliases around multiples of "

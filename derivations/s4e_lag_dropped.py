@@ -38,7 +38,7 @@ def derive(page):
 
 
 def never(page):
-    """For the lag (24) errs on the safe side."""
+    """For the loop with the lag, (24) is conservative."""
     page.lemma(
         "The loop with the lag is stable if (24) and $K>-k$ hold",
         safe(),
@@ -60,7 +60,7 @@ def never(page):
 
 
 def stiffness(page, whole):
-    """The arm's spring in Routh's condition."""
+    """The effect of the arm's spring in Routh's condition."""
     page.step(
         "Routh's condition allows more stiffness than (24)",
         K + whole / t_e,
@@ -80,12 +80,12 @@ def stiffness(page, whole):
         "the spring",
         note="the statement holds for Routh's condition for the lag. Condition (24) does not "
         "contain $k$, because it drops the term with $k$. The lower limit $K>-k$ is exact for "
-        "the lag ($a_0=k+K$) and necessary for the sampled loop (s4d-left-bound)",
+        r"the lag ($a_0=k+K$) and necessary for the sampled loop (\texttt{s4d-left-bound})",
     )
 
 
 def plane(page, kept, whole):
-    """(25), and Routh's condition beside it."""
+    """(25) and Routh's condition in the parameters of Table I."""
     scaled = {K: alpha * m / T**2, B: beta * m / T, b: delta * m / T, k: gamma * m / T**2}
     scaled |= {t_d: d * T}
     small, large = ((f.subs(t_e, lag.DELAY) * T / m).subs(scaled) for f in (kept, whole))
@@ -124,6 +124,6 @@ def plane(page, kept, whole):
 
 
 def in_units(point):
-    """A point with its numbers of Table I."""
+    """Add the parameters of Table I to a point."""
     rules = normalised(d, alpha, beta, gamma, delta)
     return point | {rule.lhs: sympify(rule.rhs).subs(point) for rule in rules}

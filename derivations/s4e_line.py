@@ -102,7 +102,7 @@ def derive(page):
 
 
 def periods(page):
-    """What the numbers of the arm tend to, and the boundary's symbols with powers of h."""
+    """Limits of the arm's coefficients; the symbols of the boundary with powers of h."""
     device = plant.sampled(plant.normalised(FULL), split=c)
     spring = (delta**2 - c**2) / 4
     brief = {delta: h * delta, c: h * c}

@@ -43,7 +43,7 @@ def derive(page):
 
 
 def polynomials(page):
-    """The two polynomials for d = 0 and d = 1."""
+    """The polynomials of denominator and surplus for d = 0 and d = 1."""
     page.define("The gap $g$ lies between the start of the boundary and the line", G, GAP)
     page.define(r"The share $\nu$ of the numerator is $\mu$ less than one half", MU, HALF - nu)
     page.define(r"The number $\kappa$ of the arm is a product", kappa, nu * (s_2 + (1 - nu) * s_1))
@@ -80,7 +80,7 @@ def polynomials(page):
 
 
 def free_mass(page):
-    """gamma = delta = 0."""
+    """The error for a free mass, gamma = delta = 0."""
     stiffness, damping = boundary.wall(plant.sampled(plant.normalised(Parts(False, False))))
     page.step(
         "For a free mass the error is a quotient of sines",

@@ -55,7 +55,7 @@ def derive(page):
 
 
 def settle(page):
-    """The error rises."""
+    """Settle that the error rises."""
     claim = rises()
     page.state(
         "linear-error-rises",

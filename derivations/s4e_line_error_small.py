@@ -67,37 +67,37 @@ def derive(page):
 
 # Up to which stiffness the error of the linear condition is at most 5 per cent, d = 0 and d = 1.
 #
-# Jury's minor is zero on the boundary and rises with the damping.  It is positive on the ray of 5
-# per cent more damping, and from alpha = 0 on negative on that of 5 per cent less.
+# Jury's minor is zero on the boundary and rises with the damping.  It is positive on the ray with
+# 5 per cent more damping.  For alpha >= 0 it is negative on the ray with 5 per cent less.
 
 MOST_B = HIGH + DAMPED + 2 * STIFF
 
 
 def box(delay: int) -> dict[Symbol, tuple[Any, Any]]:
-    """Arms and walls by their A."""
+    """The ranges of the arm and of A."""
     return {**RANGES, A: (0, RANGE[delay] + STIFF)}
 
 
 def _lift(delay: int, low: Expr, high: Expr) -> Theorem:
-    """0 < (f(high) - f(low))/(high - low) of the minor f."""
+    """0 < (f(high) - f(low))/(high - low) for the minor f."""
     wide = {**box(delay), b: (LOW, MOST_B), b_1: (LOW, MOST_B)}
     return inst(on_box(slope(delay, b, b_1), wide), {b: low, b_1: high})
 
 
 def _rate(delay: int, steep: Expr) -> Expr:
-    """What the minor gains on a ray from the start, per A."""
+    """The increase of the minor along a ray from its start, divided by A."""
     on_ray = minor_at(delay).xreplace({b: steep * A})
     return expanded((on_ray - on_ray.xreplace({A: S.Zero})) / A)
 
 
 def _inside(delay: int) -> Given:
-    """The wall of the ray lies in the box."""
+    """The range of A."""
     return Given(A > 0, box(delay)[A][1] >= A)
 
 
 @cache
 def below(delay: int) -> Theorem:
-    """b <= 1.05 (d + 1/2) A of a wall with a minor of zero."""
+    """A wall at which the minor is zero has b <= 1.05 (d + 1/2) A."""
     steep = (1 + HALF_WAY) * share(delay)
     rate = _rate(delay, steep)
     gain = positive(
@@ -111,7 +111,7 @@ def below(delay: int) -> Theorem:
 
 @cache
 def above(delay: int) -> Theorem:
-    """0.95 (d + 1/2) A <= b of such a wall with gamma <= A."""
+    """A wall with gamma <= A at which the minor is zero has 0.95 (d + 1/2) A <= b."""
     steep = (1 - HALF_WAY) * share(delay)
     rate = _rate(delay, steep)
     part_ = start_by_gap(delay)
@@ -129,7 +129,7 @@ def above(delay: int) -> Theorem:
 
 @cache
 def small_error(delay: int) -> Theorem:
-    """What the claim ``close`` says, under the hypotheses of the statement."""
+    """The claim for one delay, under the hypotheses of the statement."""
     place = coordinates(delay)
     inside = on_it(delay)
     _, low = (conjunct(inside, claim) for claim in conjuncts(inside.conclusion))
@@ -154,5 +154,5 @@ def small_error(delay: int) -> Theorem:
 
 @cache
 def small_errors() -> Theorem:
-    """The claim: for all arms of (23) and both delays."""
+    """The claim for all arms of (23) and both delays."""
     return as_claimed(CLAIMED["s6-linear-small-error"](()), conj(*map(small_error, LATE)))

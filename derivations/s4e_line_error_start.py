@@ -101,7 +101,7 @@ def derive(page):
 
 
 def unbounded_there(page):
-    """The reciprocal of the error tends to zero beside spring and damper."""
+    """With spring and damper the reciprocal of the error tends to zero."""
     no_error = page.lemma(
         "With spring and damper the reciprocal of the error tends to zero",
         no_bound(),
@@ -124,7 +124,7 @@ def unbounded_there(page):
 
 
 def beyond_two_percent(page):
-    """Beside spring and damper, for every size of both inside (23)."""
+    """The error exceeds 2 % for every arm of (23) with a spring and a damper."""
     page.say(
         "So the error is large near the start. For an arm in the range (23), take the wall whose "
         r"distance from the start is 25 times the gap. For this wall the gap exceeds $2\,\%$ of "

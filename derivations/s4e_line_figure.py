@@ -74,7 +74,7 @@ def derive(page):
 
 
 def counted(page, delay, damping):
-    """No point of these errors on an arc but those of the table."""
+    """On the arc no point except those of the table has one of these errors."""
     arc, zero = Arc(GAMMA, damping, delay), arb(0)
     shown = marks(delay, damping)
     for level in LEVELS:
@@ -84,7 +84,7 @@ def counted(page, delay, damping):
 
 
 def wall(delay):
-    """The two sides of the root condition: the wall of the arc, and what a root at z needs."""
+    """The two sides of the root condition: that of the wall and that of the plant."""
     arc, chord = linear.arc(delay), {linear.CHORD: 2 - z - 1 / z}
     stiffness = arc.right - gamma * arc.size
     turned = (stiffness + arc.up * (1 - 1 / z)).subs(chord)
@@ -92,5 +92,5 @@ def wall(delay):
 
 
 def digits(ball):
-    """Fifteen digits, or the zero that the origin has exactly."""
+    """Fifteen digits, or 0 if the ball contains it."""
     return "$0$" if ball.contains(0) else f"${rounded(ball, power=3)}$"

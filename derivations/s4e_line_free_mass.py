@@ -33,7 +33,7 @@ def derive(page):
     )
     slack = 2 * beta - d * alpha
     page.step(
-        "The third inequality is the distance from the line minus a positive term",
+        "The third inequality bounds a positive term by the distance from the line",
         minors()[-1].conclusion.right * 3,
         24 * (beta - alpha * (d + HALF))
         - 3 * (d + 1) * (slack**2 + (d + 1) * alpha * slack + d * (d + 2) * alpha**2 / 3),
@@ -42,13 +42,13 @@ def derive(page):
     )
     page.lemma("Every stable wall of a free mass satisfies (25)", above_the_line(), boxed=True)
     page.say(
-        "The condition is necessary, and no wall on its border is stable. With damping some walls "
-        r"on the border are stable (\chapter{s4e_line_passive})."
+        "The condition is necessary, and no wall with equality is stable. With damping some "
+        r"walls with equality are stable (\chapter{s4e_line_passive})."
     )
     page.state(
         "linear-free-mass",
-        r"for $\gamma=\delta=0$ and integer $d$ every stable wall satisfies (25), and no wall on "
-        "its border is stable",
+        r"for $\gamma=\delta=0$ and integer $d$ every stable wall satisfies (25), and no wall "
+        "with equality in (25) is stable",
         claim=claimed(),
     )
     page.settle(
@@ -59,12 +59,12 @@ def derive(page):
     )
 
 
-# The stable walls of a mass alone lie above the line of the linear condition.
+# The stable walls of a free mass lie above the line of the linear condition.
 
 
 @cache
 def minors() -> tuple[Theorem, ...]:
-    """0 < alpha, 0 < 2 beta - d alpha and 0 < c_1 c_2 - c_0 c_3 of a stable wall; d is whole."""
+    """A stable wall has 0 < alpha, 0 < 2 beta - d alpha and 0 < c_1 c_2 - c_0 c_3."""
     loop = loop_substituted((alpha, beta, S.Zero, S.Zero, d), z, 1, stiffness=False, damping=False)
     stable, _ = loop.conclusion.parts
     found = first_minors(mp(loop, assume(stable)), 2)
@@ -74,7 +74,7 @@ def minors() -> tuple[Theorem, ...]:
 
 @cache
 def above_the_line() -> Theorem:
-    """alpha (1/2 + d) < beta for a stable wall of a mass alone; d is whole."""
+    """A stable wall of a free mass has alpha (1/2 + d) < beta, for an integer d."""
     stiff, first, second = minors()
     late = not_negative(assume(whole(d)))
     more = positive(d + 1 > 0, [late], [1])
@@ -92,7 +92,7 @@ def above_the_line() -> Theorem:
 
 @cache
 def of_a_free_mass() -> Theorem:
-    """That, and that no wall with alpha (1/2 + d) = beta is stable."""
+    """Every stable wall satisfies (25), and no wall with equality in (25) is stable."""
     above = above_the_line()
     stable = next(p for p in above.hypotheses if p != whole(d))
     border = Eq(beta, alpha * (HALF + d))

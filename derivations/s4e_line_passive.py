@@ -76,7 +76,7 @@ def derive(page):
 
 
 def in_its_range(page):
-    """Which walls of the line are passive."""
+    """The range of damping in which the walls of the line are passive."""
     page.lemma(
         r"The walls on the line or above it are passive for $\delta=b_DT/m$", passive_on_the_line()
     )
@@ -108,21 +108,21 @@ def in_its_range(page):
         "satisfies (24) and delivers energy",
         note="the statement also holds with equality in (25). Passive walls are stable with "
         r"every spring, so here (25) is safe for every $\gamma\ge0$. For fractional $d$ no wall "
-        "on the border is passive",
+        "with equality in (25) is passive",
     )
 
 
 def in_units(point):
-    """A point with its numbers of Table I, of device and arm."""
+    """Add the parameters of Table I, for device and arm, to a point."""
     rules = [rule.xreplace({b: b_D + b_H}) for rule in normalised(alpha, beta, delta, d)]
     return point | {rule.lhs: sympify(rule.rhs).subs(point) for rule in rules}
 
 
-# The linear condition beside passivity: it is (9), and its walls are passive in a range of B.
+# The linear condition is (9), and the walls that satisfy it are passive in a range of B.
 
 
 def same_condition(linear: Any, passive: Any) -> Theorem:
-    """(24) <=> (9), where t_d = d T."""
+    """(24) <=> (9), with t_d = d T."""
     here = DELAY.and_(Eq(t_d, d * T))
     here.have((d + HALF) * T > 0)
     here.have(lag.DELAY > 0)
@@ -134,9 +134,9 @@ def same_condition(linear: Any, passive: Any) -> Theorem:
 
 @cache
 def passive_on_the_line() -> Theorem:
-    """A wall with (25), or on its border, is passive: d whole, alpha >= 0 and delta = b_D T/m.
+    """A wall with (25), or with equality in (25), is passive if beta <= delta d/(2d+3).
 
-    That is for beta <= delta d/(2d+3).
+    This is for an integer d, alpha >= 0 and delta = b_D T/m.
     """
     here = Given(m > 0, T > 0, *normalised(alpha, beta, d), Eq(delta, b_D * T / m))
     spring, damper = here.have(m / T**2 > 0), here.have(m / T > 0)

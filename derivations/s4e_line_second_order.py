@@ -45,28 +45,29 @@ def derive(page):
     page.say(
         "Neither $w$ nor $G$ is negative. The minor rises with the surplus "
         r"$\Delta=\beta+\delta-(d+\frac12)\alpha$ over the line, at a rate close to 1. So the "
-        "distance of the boundary from the line is also of second order. Three times a product of "
-        "two small numbers bounds this distance on all of (23), for $d=0$ and $d=1$."
+        "distance of the boundary from the line is also of second order. On all of (23), for "
+        r"$d=0$, $d=1$, $\alpha\le0.03$ and $\beta\le0.1$, the surplus of a wall on the boundary "
+        r"lies between $-3(\delta+\gamma)(\alpha+2\gamma)$ and $3(\alpha+\gamma)^2$."
     )
     second_order(page)
     order_of_period(page)
 
 
 def second_order(page):
-    """The line is the boundary to first order."""
+    """To first order the line is the boundary."""
     symbols = taken_apart(page.claim("s4e-linearised"))[0]
     page.settle(
         "s4e-linearised",
         linearised(),
         example=dict.fromkeys(symbols, S.Zero),
         note=r"the line is the first order in $\alpha$, $\gamma$ and $\delta$ together, for $d=0$ "
-        "and $d=1$. For a single arm the line is not the tangent (linear-tangent): without a "
-        r"spring the boundary starts at $(0,-\delta)$ with a smaller slope",
+        r"and $d=1$. For a single arm the line is not the tangent (\texttt{linear-tangent}): "
+        r"without a spring the boundary starts at $(0,-\delta)$ with a smaller slope",
     )
 
 
 def order_of_period(page):
-    """Which are of order T for a given device."""
+    """For a given device the distance is of order T."""
     claim = short_periods()
     symbols = taken_apart(claim)[0]
     page.state(

@@ -68,7 +68,7 @@ def derive(page):
 
 
 def settle(page, physical, virtual):
-    """One damping may stand for the other where (25) decides for both."""
+    """The two dampings are equivalent if (25) is right for both."""
     page.say(
         r"So the two dampings are equivalent in the limit $\alpha\to0$. For larger $\alpha$ they "
         "are equivalent only if (25) is correct with either damping, since (25) contains only "
@@ -95,12 +95,12 @@ def settle(page, physical, virtual):
     )
 
 
-# Physical damping in place of virtual damping, where (25) decides and elsewhere.
+# Physical damping in place of virtual damping, for walls for which (25) is right, and for others.
 
 
 @cache
 def exchanged() -> Theorem:
-    """stable <=> stable with x of the damping exchanged, where (25) decides for both."""
+    """If (25) is right for both, exchanging x of the damping does not change stability."""
     before, after = decides(), decides().at(EXCHANGED)
     line, same = before.parts[0], after.parts[0]
     equal = either_way(combined(same, [assume(line)]), combined(line, [assume(same)]), line, same)
@@ -108,7 +108,7 @@ def exchanged() -> Theorem:
 
 
 def at_point(same: Proposition, point: Terms) -> Theorem:
-    """Whether two claims agree at a point: p <=> q, or that this is not so."""
+    """The equivalence p <=> q at a point, or its negation."""
     there = same.at(point)
     known = [_settled(part) for part in there.parts]
     (one, p), (other, q) = zip(known, there.parts, strict=True)
@@ -122,7 +122,7 @@ def at_point(same: Proposition, point: Terms) -> Theorem:
 
 
 def _settled(claim: Proposition) -> Theorem:
-    """A claim about numbers, or its denial."""
+    """A claim about numbers, or its negation."""
     if isinstance(claim, Relation):
         try:
             return number(claim)

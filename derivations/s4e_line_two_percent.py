@@ -81,7 +81,7 @@ def own(page):
 
 
 def papers(page):
-    """Beside the spring of Fig. 10, for each damping beyond 0.015."""
+    """With the spring of Fig. 10, walls with such an error exist for each damping above 0.015."""
     found = inst(in_the_corner(), {gamma: STIFF})
     known = [fact(h) for h in found.hypotheses if not h.free]
     damped = positive(delta > 0, delta > THRESHOLD, [THRESHOLD])
@@ -90,10 +90,10 @@ def papers(page):
         "s4e-two-percent",
         every,
         example={delta: DAMPED},
-        note="the damping 0.015 is not a threshold. For every arm of (23) with "
-        r"$\gamma\delta>0$, walls with such an error exist next to the corner at "
-        r"$\alpha=-\gamma$ (linear-error-corner). With $\alpha\ge0$ they exist for "
-        r"$\delta\ge0.01481$ if $d=1$ and for $\delta\ge0.01744$ if $d=0$ (linear-two-percent)",
+        note=r"the damping 0.015 is not a threshold. For every arm of (23) with $\gamma\delta>0$, "
+        r"walls with such an error exist next to the corner at $\alpha=-\gamma$ "
+        r"(\texttt{linear-error-corner}). With $\alpha\ge0$ they exist for $\delta\ge0.01481$ if "
+        r"$d=1$ and for $\delta\ge0.01744$ if $d=0$ (\texttt{linear-two-percent})",
     )
 
 

@@ -70,7 +70,7 @@ def derive(page):
 
 
 def witnesses(page):
-    """One wall of the line above and one below the crossing, for each delay."""
+    """For each delay, one wall of the line below the crossing and one above it."""
     arm = {gamma: Rational(1, 1000), delta: Rational(1, 50)}
     for delay, low, high in ((0, Rational(4, 100), Rational(6, 100)), (1, S(1) / 100, S(2) / 100)):
         sides = (stable_at, "stable", low), (unstable_at, "not stable", high)

@@ -39,7 +39,7 @@ def derive(page):
     )
     page.state(
         "linear-safe",
-        "inside (23), for $d=0$ and $d=1$, every wall is stable that satisfies (25) and "
+        "inside (23), for $d=0$ and $d=1$, a wall is stable if it satisfies (25) and "
         r"$\alpha>-\gamma$ and has at most the damping of a stable wall on the line",
         claim=claim,
     )

@@ -43,13 +43,13 @@ def derive(page):
         r"$z^{-d}=e^{-jd\theta}$."
     )
     page.say(
-        "A loop whose force has a fractional delay has other boundaries, the solid curves in "
-        "the figure. They differ from the paper's by 1.6 % of the largest stiffness for "
-        r"$d=\tfrac14$ and by 0.3 % for $d=\tfrac12$. All walls of (27) seem to lie inside these "
-        r"boundaries: we tested $4\cdot10^5$ walls of (27), and all are stable. This test is "
-        r"evidence and not a proof. By \chapter{s6g_next_whole_delay} and "
+        "A loop whose force has a fractional delay has other boundaries, the solid curves in the "
+        r"figure. They differ from the paper's by 1.6 % of the largest stiffness for $d=\tfrac14$ "
+        r"and by 0.3 % for $d=\tfrac12$. All walls of (27) seem to lie inside these boundaries: "
+        r"we tested $4\cdot10^5$ walls of (27), and all are stable. This test is evidence and not "
+        r"a proof. By \chapter{s6g_next_whole_delay} and "
         r"\chapter{s6e_fractional_passive_is_stable}, the walls of (27) for the next integer "
-        "delay lie inside."
+        "delay lie inside these boundaries."
     )
     page.figure(
         "fig11",

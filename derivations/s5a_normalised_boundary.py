@@ -40,7 +40,7 @@ def derive(page):
 
 
 def _boundary(page, *forms):
-    """What holds of (7) holds of (27), with Table I."""
+    """With Table I, (27) follows from (7)."""
     printed = STATEMENTS["eq27"].printed
     then = taken_apart(page.claim("eq27"))[2]
     curve, others = then.of
@@ -51,7 +51,7 @@ def _boundary(page, *forms):
         boxed=True,
     )
     above = page.lemma(
-        "With a delay the walls of (27) are all of the boundary above the corner",
+        "With a delay the walls of (27) are the whole boundary above the corner",
         above_in_units(others.of[1]),
         because=r"by \chapter{s3b_rise} the walls of the boundary satisfy (7), which is (27) at "
         r"$\hat\omega=\omega T$",
@@ -82,7 +82,7 @@ def _boundary(page, *forms):
 
 
 def _wall(printed, at):
-    """The wall that (27) gives at an angle, beside a damper of 1, in units of mass and period."""
+    """The wall of (27) at an angle, in units of mass and period, for a damping of 1."""
     unit = {m: S.One, T: S.One, b: S.One, delta: S.One} | at
     wall = {line.lhs: line.rhs.subs(unit) for line in printed}
     return unit | wall | {K: wall[alpha], B: wall[beta]}

@@ -108,7 +108,7 @@ def derive(page):
 
 
 def numbers(page):
-    """An arm at the limits of (21), and the figures."""
+    """Numbers for an arm at the limits of (21), and for the figures."""
     page.say(
         r"Take an example at the limits of the paper: $b_D/m_D=0.625\,\mathrm s^{-1}$, "
         r"$b_H/m_H=14.6\,\mathrm s^{-1}$, $k_H/m_H=710\,\mathrm s^{-2}$, $m_D=m_H$ and $T=1$ ms. "
@@ -154,7 +154,7 @@ def numbers(page):
     )
 
 
-# The damping of a held device: its own for passivity, and with the arm's for the loop.
+# The damping of a device with an arm: b_D for passivity, and b_D + b_H for the loop.
 
 HELD = Given(T > 0, m_D > 0, m_H >= 0, b_D >= 0, b_H >= 0, k_H >= 0)
 for claim in MASS > 0, T / MASS > 0, MASS / T > 0, T**2 / MASS > 0, SPRING >= 0, WHOLE - OWN >= 0:
@@ -163,7 +163,7 @@ for claim in MASS > 0, T / MASS > 0, MASS / T > 0, T**2 / MASS > 0, SPRING >= 0,
 
 @cache
 def in_units() -> tuple[Theorem, Theorem]:
-    """(5) with the device's delta from (5) with its damping, and back."""
+    """(5) with delta_D follows from (5) with b_D, and conversely."""
     plane = drawn(OWN)
     there = moved(MEETS, plane, omega / T, HELD.show(T / MASS > 0), HELD.show(1 / T > 0))
     back = moved(plane, MEETS, omega * T, HELD.show(MASS / T > 0), assume(T > 0))
@@ -172,7 +172,7 @@ def in_units() -> tuple[Theorem, Theorem]:
 
 @cache
 def right() -> Theorem:
-    """(5) with the device's delta <=> (5) with its damping."""
+    """(5) with delta_D <=> (5) with b_D."""
     there, back = in_units()
     claim: Any = instead().parts[0]
     then = taken_apart(claim)[2]
@@ -181,7 +181,7 @@ def right() -> Theorem:
 
 @cache
 def more_damped() -> Theorem:
-    """(5) with the delta of both, from (5) with that of the device."""
+    """(5) with the delta of device and arm follows from (5) with delta_D."""
     claim: Any = drawn()
     given = conjuncts(claim.body.of[0])
     there = at(assume(drawn(OWN)), {omega: omega}, *map(assume, given))
@@ -190,13 +190,13 @@ def more_damped() -> Theorem:
 
 
 def _on_the_circle(theorem: Theorem) -> Theorem:
-    """What (5) divides by is not zero."""
+    """The denominator of (5) is not zero."""
     return HELD.closed(closed(theorem, *divisors(omega)))
 
 
 @cache
 def stays_stable() -> Theorem:
-    """A wall that meets (5) with the damping of the device is stable with every arm."""
+    """A wall that meets (5) with b_D is stable with every arm."""
     loop = taken_apart(kept())[2]
     here = {**UNITS, gamma: SPRING, delta: WHOLE}
     known = HELD.and_(K > 0)
@@ -213,7 +213,7 @@ def stays_stable() -> Theorem:
 
 @cache
 def outdone_by_the_arm() -> Theorem:
-    """Some stable wall is 1 + b_H/b_D times as stiff as all passive ones: (11) with delta."""
+    """With delta, (11) gives a stable wall 1 + b_H/b_D times as stiff as all passive ones."""
     claim = outdone()
     some = taken_apart(claim)[2]
     together = assume(b_D + b_H > 0)
@@ -232,7 +232,7 @@ def outdone_by_the_arm() -> Theorem:
 
 
 def shown() -> Theorem:
-    """What holds instead of one delta."""
+    """The three theorems that replace the claim."""
     return conj(right(), stays_stable(), outdone_by_the_arm())
 
 
@@ -241,7 +241,7 @@ def shown() -> Theorem:
 
 @cache
 def in_numbers() -> Theorem:
-    """Between which numbers the ratio lies for the arm at the limits, with one delta and two."""
+    """Bounds of the ratio for the arm at the limits, with one delta and with two."""
     arm = ARM[gamma], ARM[delta]
     held, stable = wall_below(arm, 0, CLOSE)
     _, softer = none_above(arm, 0)
@@ -256,7 +256,7 @@ def in_numbers() -> Theorem:
 
 @cache
 def drawn_too_large() -> Theorem:
-    """32 times a passive wall of a device of Sec. IV-C is passive with the delta of the figures."""
+    """A wall 32 times as large as a passive one meets (5) with the delta of the figures."""
     plane = taken_apart(oversized())[2]
     inside = conjuncts(plane.body.of[0])
     there = at(assume(drawn(OWN)), {omega: omega}, *map(assume, inside))
@@ -276,7 +276,7 @@ def drawn_too_large() -> Theorem:
 
 @cache
 def ratios_kept() -> Theorem:
-    """17.8 and 9.3 are exceeded with the damping of the device alone, too."""
+    """The ratios also exceed 17.8 and 9.3 if only b_D counts for passivity."""
     both_ = taken_apart(still_true())[2]
     parts = []
     for claim, delay, wall in zip(both_.of, (0, 1), (UNDELAYED, LATE), strict=True):
@@ -296,7 +296,7 @@ def ratios_kept() -> Theorem:
 
 
 def easy(claim: Any) -> Case:
-    """All that is supposed, at a device of 1 kg that renders a spring of 1 N/m."""
+    """A device of 1 kg with a spring of 1 N/m meets all hypotheses."""
     symbols, given, _ = taken_apart(claim)
     light = {**dict.fromkeys(symbols, S.Zero), **LIMITS, m_H: S.Zero, b_H: S.Zero, K: S.One}
     point = {s: light[s] for s in symbols}
@@ -313,7 +313,7 @@ def easy(claim: Any) -> Case:
 
 
 def counterexample_of() -> Case:
-    """10 000 N/m at the limits meet (5) with delta, and not with the damping of the device."""
+    """At the limits, 10 000 N/m meets (5) with delta and not with b_D."""
     claim = CLAIMED["one-delta"](())
     _, given, same = taken_apart(claim)
     values = {**{s: LIMITS[s] for s in (T, m_D, m_H, b_D, b_H)}, K: S(10**4), B: S.Zero, d: S.Zero}

@@ -1,7 +1,7 @@
 """Is a passive wall stable with every spring, and how do the passive walls depend on the damping?
 
 The passivity condition does not contain the spring: a passive wall is stable with every arm,
-whatever its stiffness.
+however stiff the arm is.
 """
 
 from symhaptic.book.lemmas.connections import passive_wall_is_stable, stays_on_circle
@@ -16,7 +16,7 @@ def derive(page):
 
 
 def _robust(page):
-    """A stiff passive wall with a damper is stable with every spring, for every delay."""
+    """A passive wall with stiffness is stable with every spring and delay if b > 0."""
     robust = taken_apart(page.claim("s5c-robust-subset"))[2]
     stiff = proposition(alpha * delta > 0)
     known = assume(stiff)
@@ -51,7 +51,7 @@ def _scaled(page):
     """(5) is linear in the wall and the damper."""
     need = passivity.dirichlet_form()
     page.step(
-        "The required damping is proportional to stiffness and damping of the wall",
+        "A wall with $y$ times the stiffness and damping requires $y$ times the damping",
         need.subs({K: y * K, B: y * B}, simultaneous=True),
         y * need,
         name=r"b_{\min}(yK,yB)",

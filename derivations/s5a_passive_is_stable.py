@@ -63,10 +63,10 @@ def derive(page):
     )
     page.figure(
         "sides",
-        "The curves of wall and device over the upper half circle. They meet at an angle at which "
-        r"a root lies on the circle. The curve of the device stays to the left of $-\delta$. For "
-        r"every scale that of a passive wall stays to the right ($\gamma=0.05$, $\delta=0.4$, one "
-        "period of delay).",
+        "The curves of wall and device over the upper half circle. They meet at an angle at "
+        "which a root lies on the circle. The curve of the device stays to the left of "
+        r"$-\delta$. The curve of a passive wall stays to the right for every scale "
+        r"($\gamma=0.05$, $\delta=0.4$, one period of delay).",
         sides,
         height=0.5,
     )
@@ -112,7 +112,7 @@ def _subset(page):
 
 
 def _every_arm(page):
-    """Without a damper, or without anything that holds the mass, a passive wall does not do."""
+    """Without a damper, or without any stiffness, a passive wall need not be stable."""
     claim = page.claim("s6-subset")
     extra = [DAMPED_DEVICE, HELD]
     wall = dict.fromkeys((alpha, gamma, d), S.Zero)
@@ -132,6 +132,6 @@ def _every_arm(page):
             DAMPED_DEVICE: (swing, *(shown(swing), stays_on_circle(swing, pi / 2))),
         },
         shows="with a passive wall without stiffness a free mass drifts, and without a damper a "
-        "spring oscillates for ever",
+        "spring oscillates forever",
         note="the proof uses the energy of the held force and holds for every real delay",
     )

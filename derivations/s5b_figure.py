@@ -69,9 +69,9 @@ def derive(page):
         "So the two largest stiffnesses are never equal. The passive wall of maximum stiffness "
         r"is stable, and so is a slightly stiffer one: $\eta<1$ for every integer delay. For "
         r"$\delta=0.02$ the tip has the angle $\pi/(2(d+1))$ near $d=122$ without a spring, and "
-        r"near $d=40$ with $\gamma=0.001$. At these delays, $\eta$ exceeds $0.9999$ and "
-        "$0.9998$, respectively, and looks like 1 in a figure. For longer delays the angle of "
-        "the tip increases:"
+        r"near $d=40$ with $\gamma=0.001$. At these delays, $\eta$ exceeds $0.9999$ and $0.9998$, "
+        "respectively, and looks like 1 in a figure. For longer delays the tip has "
+        r"$(d+1)\theta>\frac\pi2$:"
     )
     far = symbols("u")
     page.limit(
@@ -128,19 +128,19 @@ def derive(page):
     page.settle(
         "fig12",
         drawn(),
-        note="the statement is proved for integer delays: for (a) at the five delays of Fig. "
-        "11; for (b) and (c) between the delays of a list, up to 122 and 40, and at 1000. The "
-        r"ratio comes close to 1, stays below 1 and falls again. One $\delta$ stands for "
+        note="the statement is proved for integer delays: (a) for the five delays of Fig. 11; "
+        "(b) and (c) from each delay of a list to the next, up to 122 and 40, and for 1000. The "
+        r"ratio comes close to 1, stays below 1 and falls again. The same $\delta$ is used for "
         r"passivity and stability: for a device with an arm $\eta\le b_D/(b_D+b_H)$ "
         r"(\texttt{one-delta})",
     )
 
 
-# Fig. 12: the largest stable stiffness of five delays, and how the ratio runs with the delay.
+# Fig. 12: the largest stable stiffness for five delays, and the ratio as a function of the delay.
 
 
 def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:
-    """A wall of the boundary is as stiff as all stable ones, and one of these nearly as it."""
+    """A wall of the boundary is as stiff as all stable ones; one stable wall is nearly as stiff."""
     then = taken_apart(claim)[2]
     tip_: Any = then
     angle, (limit, bounded), (wall, stable) = (
@@ -189,7 +189,7 @@ def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:
 
 
 def rises(arm: Arm, delay: int, later: int) -> Theorem:
-    """eta(d) < rho < eta(d'), with rho between what two bounds say."""
+    """eta(d) < rho < eta(d'), where a number rho separates two bounds."""
     low = least(delay, arm[1]).conclusion.right / wall_below(arm, delay)[0][0]
     high = least(later, arm[1]).conclusion.right / none_above(arm, later)[0]
     share = rounded(float(low + high) / 2)
@@ -201,7 +201,7 @@ def rises(arm: Arm, delay: int, later: int) -> Theorem:
 
 @cache
 def drawn() -> Theorem:
-    """All of Fig. 12."""
+    """The claim of Fig. 12."""
     tips = CLAIMED["fig12"](()).of[0]
     symbols, given, then = taken_apart(tips)
 

@@ -84,14 +84,14 @@ def derive(page):
 
 
 def stands(point):
-    """The wall of a point is stable."""
+    """The wall of this point is stable."""
     loop = at_point(point)
     zeros = loop.conclusion.of[1].of[0]
     return mp(loop, roots_inside(zeros, z, {}))
 
 
 def falls(point):
-    """With the share y of its stiffness it is not."""
+    """With the share y of its stiffness the wall is not stable."""
     softened = {**point, alpha: point[y] * point[alpha]}
     if softened[alpha] + point[gamma] == 0:
         return unstable(softened)
@@ -100,14 +100,14 @@ def falls(point):
 
 
 def at_point(point):
-    """A loop without symbols: it is stable where all zeros of its polynomial lie inside."""
+    """The loop of this point is stable if and only if all zeros of its polynomial lie inside."""
     values = [point[s] for s in (alpha, beta, gamma, delta, d)]
     loop = loop_substituted(values, z, 1, stiffness=point[gamma] != 0)
     return closed(loop, fact(whole(point[d])))
 
 
 def lacks(point):
-    """(5) does not hold at theta = pi/(d+1)."""
+    """The wall of this point violates (5) at theta = pi/(d+1)."""
     below = passive().at(point)
     frequency = pi / (point[d] + 1)
     inside = [fact(r.at({omega: frequency})) for r in below.body.of[0].of]
@@ -115,12 +115,12 @@ def lacks(point):
     return not_intro(there, number(negated(there.conclusion)), below)
 
 
-# A passive wall stays passive while its stiffness is taken away and its damping is kept.
+# A passive wall stays passive if its stiffness is reduced at constant damping.
 
 
 @cache
 def within_the_damper() -> tuple[Theorem, Theorem]:
-    """-delta <= beta and beta <= delta, from the margin at every angle, 0 <= alpha and 0 <= d."""
+    """-delta <= beta <= delta, from the margin at every angle, for 0 <= alpha and 0 <= d."""
     start = delta + beta - alpha * (d + S.Half)
     below = at(assume(EVERY_MARGIN), {theta: theta}, *map(assume, INSIDE))
     slow = in_the_limit(below, theta, S.Zero, pi, tends(MARGIN, theta, S.Zero, start))
@@ -138,7 +138,7 @@ def within_the_damper() -> tuple[Theorem, Theorem]:
 
 @cache
 def stays_passive() -> Theorem:
-    """The margin at every angle of y alpha, from that of alpha, 0 <= y <= 1 and 0 <= alpha."""
+    """The margin of y alpha at every angle, from that of alpha, for 0 <= y <= 1 and 0 <= alpha."""
     low, high = within_the_damper()
     turn = cos((d + 1) * theta)
     bound = bounded(cos, (d + 1) * theta)

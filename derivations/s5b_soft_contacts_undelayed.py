@@ -90,14 +90,14 @@ def derive(page):
     page.settle("undelayed-turned-down", theorem, example=(wall | arm, stable))
 
 
-# A stable wall without delay stays stable while its stiffness falls, beside soft springs.
+# Without delay and with a soft spring, a stable wall stays stable as its stiffness falls.
 
 WIDE = {gamma: (S.Zero, Rational(1, 100)), delta: (S.Zero, Rational(1, 10))}
 FARTHEST = Rational(5, 2)
-"""No stable wall has a larger virtual damping, of either sign, as 1 < 2.5 n_0."""
+"""All stable walls have a virtual damping of at most this size, as 1 < 2.5 n_0."""
 
 TOTAL = n_1 + n_0
-"""s_1, the damping of the arm near z = 1."""
+"""The sum of the numerator, n_1 + n_0."""
 
 
 def claim() -> Proposition:
@@ -110,7 +110,7 @@ def claim() -> Proposition:
 
 @cache
 def turned_down() -> Theorem:
-    """The wall (x, beta) is stable where (alpha, beta) is, for -gamma < x <= alpha."""
+    """The wall (x, beta) is stable if (alpha, beta) is stable and -gamma < x <= alpha."""
     *planes, minor = inequalities(0)
     low, high, inside = damping_between(0, WIDE, FARTHEST)
     toward = towards(planes, minor, inside, {**WIDE, beta: (-FARTHEST, FARTHEST)})
@@ -138,7 +138,7 @@ def turned_down() -> Theorem:
 
 
 def _slow() -> Theorem:
-    """These arms do not swing by half a turn in a period."""
+    """These arms have a damped frequency below the Nyquist frequency."""
     soft = WIDE[gamma][1]
     far = number(Relation(soft, "<", pi**2))
     return positive(

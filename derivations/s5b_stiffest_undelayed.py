@@ -41,7 +41,7 @@ def derive(page):
 
 
 def largest(page, minor, arm):
-    """The closed form, and that it is reached."""
+    """The closed form of the largest stiffness, and stable walls that approach it."""
     device = plant.Sampled(n_1, n_0, arm[a], e)
     top = boundary.largest_undelayed(device)
     root = sqrt(n_0 * (n_0 + e * n_1 - gamma * n_0 * n_1))
@@ -87,7 +87,7 @@ def largest(page, minor, arm):
 
 
 def ratio(page):
-    """The first of the paper's ratios."""
+    """The ratio 17.8 of the paper."""
     page.say("The largest passive stiffness without delay is $\\alpha=2\\delta$, by (11).")
     end = Rational(1, 50)
     plants = [(Rational(1, 1000), end), (S.Zero, end), (S.Zero, Rational(201, 10000))]

@@ -57,7 +57,7 @@ def derive(page):
         (
             "stiffest-wall",
             "with an integer delay no stable wall is as stiff as the boundary at such an angle "
-            r"at which $d\alpha/d\theta=0$ and $d\beta/d\theta>0$",
+            r"if also $d\alpha/d\theta=0$ and $d\beta/d\theta>0$",
             tips(),
             all_tips(),
         ),
@@ -75,7 +75,7 @@ def derive(page):
 
 
 def boundary_in_angles(page):
-    """The boundary by the angle of the device with its delay."""
+    """The boundary in terms of the angle of the device with its delay."""
     page.say(
         r"Let $A=z^2-az+e$, $N=n_1z+n_0$ and $W=(\alpha+\beta)z-\beta$. On the circle the wall, "
         r"multiplied by $z^{-1/2}$, has the real part $\alpha\cos\frac\theta2$:"
@@ -122,13 +122,13 @@ def boundary_in_angles(page):
     )
 
 
-# Behind a whole delay all stable walls lie on one side of each tangent of the stability boundary.
+# With an integer delay all stable walls lie on one side of each tangent of the boundary.
 #
-# Of p with its zeros inside, n |p|^2 < 2 Re conj(p) z p' on the circle (``outpaces``).  Expand both
-# sides around the wall of the boundary that puts a zero at exp(j theta).  There p vanishes, and z
-# p' is j N times the velocity of the boundary.  The equation of the tangent and a quadratic form
-# are left.  The form is negative definite for 1 < (d + 1 - (n1^2 - n0^2)/|N|^2) sin(theta), which
-# is so from (d + 1) theta = 1 on, about.
+# If p has its zeros inside, n |p|^2 < 2 Re conj(p) z p' on the circle (``outpaces``).  Expand both
+# sides around the wall of the boundary for which p has a zero at exp(j theta).  At this zero z p'
+# is j N times the velocity of the boundary.  The equation of the tangent and a quadratic form are
+# left.  The form is negative definite for 1 < (d + 1 - (n1^2 - n0^2)/|N|^2) sin(theta), that is,
+# from about (d + 1) theta = 1 on.
 
 TURN = exp(I * theta)
 TOP = n_1 * TURN + n_0
@@ -136,13 +136,13 @@ LATE = exp(I * (d + 1) * theta)
 
 
 def _value(wall: tuple[Expr, Expr]) -> Expr:
-    """p at exp(j theta)."""
+    """The value of p at exp(j theta)."""
     stiff, damp = wall
     return LATE * (TURN**2 - a * TURN + e) + TOP * ((stiff + damp) * TURN - damp)
 
 
 def _speed(wall: tuple[Expr, Expr]) -> Expr:
-    """z p' at exp(j theta)."""
+    """The value of z p' at exp(j theta)."""
     stiff, damp = wall
     plant = LATE * ((d + 3) * TURN**2 - (d + 2) * a * TURN + (d + 1) * e)
     push = n_1 * TURN * ((stiff + damp) * TURN - damp) + TOP * (stiff + damp) * TURN
@@ -150,9 +150,9 @@ def _speed(wall: tuple[Expr, Expr]) -> Expr:
 
 
 ROOT = Relation(_value(BESIDE), "=", S.Zero)
-"""The wall (alpha_1, beta_1) puts a zero at exp(j theta)."""
+"""With the wall (alpha_1, beta_1), p has a zero at exp(j theta)."""
 MOVES = Relation(I * _speed(BESIDE) + TOP * (x * TURN + y * (TURN - 1)), "=", S.Zero)
-"""(x, y) is the derivative of the boundary with respect to theta, at this wall."""
+"""The derivative of the boundary with respect to theta at this wall is (x, y)."""
 WEIGHT = (d + 1) * SQUARE - (n_1**2 - n_0**2)
 STEEP = Relation(SQUARE, "<", WEIGHT * sin(theta))
 """The angle is large enough for the quadratic form to be negative definite."""
@@ -193,7 +193,7 @@ def on_one_side() -> Theorem:
 
 
 def tangents() -> Proposition:
-    """Every stable wall lies on one side of the tangent at each steep angle; d is whole."""
+    """For an integer d, every stable wall lies on one side of the tangent at each steep angle."""
     given = [*ANGLE, ROOT, MOVES, STEEP, STABLE]
     walls = (theta, *BESIDE, x, y, alpha, beta)
     every_ = ForAll(walls, implied(given, Relation(SIDE, "<", S.Zero)))
@@ -201,9 +201,9 @@ def tangents() -> Proposition:
 
 
 def tips() -> Proposition:
-    """No stable wall is as stiff as the boundary where its stiffness is stationary; d is whole.
+    """No stable wall is as stiff as the boundary at an angle at which its stiffness is stationary.
 
-    That is at each steep angle at which the damping of the boundary rises.
+    This is for an integer d, and for each steep angle at which the damping of the boundary rises.
     """
     given = [*ANGLE, ROOT, MOVES.at({x: S.Zero}), y > 0, STEEP, STABLE]
     walls = (theta, *BESIDE, y, alpha, beta)
@@ -236,5 +236,5 @@ def all_tips() -> Theorem:
 
 
 def _inner(claim: Proposition) -> Proposition:
-    """What is said of each plant."""
+    """The claim for one plant."""
     return taken_apart(taken_apart(claim)[2])[2]

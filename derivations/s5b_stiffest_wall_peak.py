@@ -51,7 +51,7 @@ def derive(page):
         r"passive ones; and $\eta$ falls again, without a spring from more than 0.9999 at "
         "$d=122$ to less than 0.91 at $d=1000$",
         note="the statement is proved for integer delays. Rounded to three digits, 0.9998 is 1. "
-        r"Up to $d=40$, the ratio $\eta$ grows from each delay of Fig. 12 to the next. One "
-        r"$\delta$ stands for passivity and stability; for a device with an arm $\eta\le "
+        r"Up to $d=40$, the ratio $\eta$ grows from each delay of Fig. 12 to the next. The same "
+        r"$\delta$ is used for passivity and stability; for a device with an arm $\eta\le "
         r"b_D/(b_D+b_H)$ (\texttt{one-delta})",
     )

@@ -53,7 +53,7 @@ def derive(page):
 
 
 def _frequency(page, frequency):
-    """(28): the square of the frequency is known, and its root."""
+    """(28) follows by taking the root of the square of the frequency."""
     given = taken_apart(CLAIMED["eq28"]((Eq(omega, frequency),)))[1]
     square = over(SQUARE > 0, positive(4 * m * k - b**2 > 0, [4, m > 0, given[2]]), _four(m))
     apart = positive(Ne(m, 0), m > 0)
@@ -68,7 +68,7 @@ def _four(mass):
 
 
 def _in_units(page, turns):
-    """(29): the same with Table I; the square is divided by that of the period."""
+    """(29) follows from (28) and Table I."""
     _, given, same = taken_apart(CLAIMED["eq29"]((Eq(omega, turns / T),)))
     unit = inst(swings(), {b: delta * m / T, k: gamma * m / T**2})
     angle = by_its_square(gamma - delta**2 / 4)
@@ -93,7 +93,7 @@ def _in_units(page, turns):
 
 
 def _up_to_nyquist(page, turns):
-    """(30): the frequency (29), where it is real, and Nyquist's."""
+    """(30): the frequency (29), if it is real, is at most the Nyquist frequency."""
     _, given, both = taken_apart(CLAIMED["eq30"]((turns**2 <= pi**2,)))
     swinging, calm = both.of
     same = disch(up_to_nyquist(), swinging.of[0])

@@ -21,7 +21,7 @@ def derive(page):
 
 
 def arms(page):
-    """Against arms, in units of mass and period."""
+    """Compare the limit with the arms in units of mass and period."""
     page.say(
         r"In units of mass and period the limit is between $\gamma=\pi^2$ and $\pi^2+0.0001$. The "
         r"range (23) ends at $\gamma=0.001$:"
@@ -62,7 +62,7 @@ def arms(page):
 
 
 def human(page):
-    """Against arms, as stiffnesses."""
+    """Compare the limit with the arms in N/m."""
     page.say(
         "The limit and the end of (23) are stiffnesses per mass. Their ratio is the ratio of the "
         "stiffnesses only if the limit is that of the arm's mass. For Hogan's arm, 0.8 kg and "
@@ -113,13 +113,13 @@ def human(page):
 
 
 def swung(point):
-    """The device of a point swings with the Nyquist frequency."""
+    """The device of this point oscillates at the Nyquist frequency."""
     there = inst(spring_of_nyquist(), {s: point[s] for s in (m, b, k, T)})
     return mp(closed(there, *map(fact, there.hypotheses)), fact(there.conclusion.of[0]))
 
 
 def soft(about):
-    """A spring is not that stiff: less than 9500 times."""
+    """The spring is less than 9500 times as stiff as the arm."""
     low = about.of[0]
     return not_intro(conjunct(assume(about), low), number(negated(low)), about)
 

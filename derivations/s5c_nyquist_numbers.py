@@ -62,7 +62,7 @@ def example_(page, spring):
 
 
 def marginal(page, spring):
-    """The share of the damping, and that it does not change the printed number."""
+    """The contribution of the damping does not change the published digits."""
     page.define(r"Table I defines the damping $\delta$", delta, b * T / m)
     page.step(
         r"The contribution of the damping depends only on $\delta$",

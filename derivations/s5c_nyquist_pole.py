@@ -76,12 +76,12 @@ def derive(page):
     )
 
 
-# At the Nyquist frequency the device turns into its mirror image: a pole that no wall moves.
+# At the Nyquist frequency the state of the device changes its sign: a pole that no wall moves.
 
 
 @cache
 def mirrored_pole(damping: Expr) -> Theorem:
-    """-exp(-delta/2) is a pole for gamma = pi^2 + delta^2/4, for every wall and l/q periods."""
+    """For gamma = pi^2 + delta^2/4, -exp(-delta/2) is a pole for every wall and delay l/q."""
     spring, damped = pi**2 + damping**2 / 4, damping != 0
     device = plant.sampled(plant.normalised(Parts(damping=damped)), split=2 * I * pi)
     turn = -damping / 2 + I * pi
@@ -104,14 +104,14 @@ def mirrored_pole(damping: Expr) -> Theorem:
 
 @cache
 def inside() -> tuple[Theorem, Theorem]:
-    """-1 < -exp(-delta/2) and -exp(-delta/2) < 1, for delta > 0."""
+    """-1 < -exp(-delta/2) < 1 for delta > 0."""
     low, high = rising(exp, -delta / 2, S.Zero), sign_of(exp, -delta / 2)
     return Given(delta > 0).show(MIRROR > -1, low), show(MIRROR < 1, high)
 
 
 @cache
 def undamped() -> dict[str, Theorem]:
-    """a = -2, e = 1, n_1 = n_0 and n_1 = 2/pi^2 of the device without damping."""
+    """Without damping a = -2, e = 1, n_1 = n_0 and n_1 = 2/pi^2."""
     device = axiom("undamped device", pi, *NUMBERS)
     turn, alike = (conjunct(device, claim) for claim in device.conclusion.parts)
     here = assume(Predicate("device", (), (pi**2, S.Zero, *NUMBERS)))
@@ -129,7 +129,7 @@ def undamped() -> dict[str, Theorem]:
 
 @cache
 def split() -> Theorem:
-    """The polynomial is z + 1 times another one, and the device loses a pole at -1."""
+    """The polynomial is z + 1 times another one, and one pole of the device at -1 cancels."""
     claim = split_off()
     given, (seen, once) = conjuncts(claim.body.of[0]), conjuncts(claim.body.of[1])
     turned, left = conjuncts(seen.body)
@@ -163,7 +163,7 @@ def split() -> Theorem:
 
 @cache
 def triangle() -> Theorem:
-    """Without delay the other zeros lie inside just for the walls of a triangle."""
+    """Without delay the other zeros lie inside if and only if the wall lies in a triangle."""
     claim: Any = limit_stable_undelayed()
     zeros, walls = claim.body.of
     inside = jury(zeros.of[0], z)

@@ -25,7 +25,7 @@ def derive(page):
     )
     for which, name, number in (("first", n_1, device.n1), ("second", n_0, device.n0)):
         page.step(
-            f"Without damping the {which} number of the numerator has one cosine",
+            f"Without damping the {which} coefficient of the numerator contains one cosine",
             number.subs(swing),
             (1 - cos(Omega)) / Omega**2,
             name=name,
@@ -38,8 +38,8 @@ def derive(page):
         whole.subs(n_0, (1 - cos(Omega)) / Omega**2),
     )
     page.say(
-        r"Each zero $a$ of a polynomial $p$ adds $z/(z-a)$ to $zp'/p$, and more than $\tfrac12$ "
-        "to its real part if $|a|<1=|z|$. So, if all $d+3$ zeros of $p_1$ lie inside the "
+        "Each zero $a$ of a polynomial $p$ adds $z/(z-a)$ to $zp'/p$, and the real part of this "
+        r"term exceeds $\tfrac12$ if $|a|<1=|z|$. So, if all $d+3$ zeros of $p_1$ lie inside the "
         r"circle, $2\Re(zp_1'\bar p_1)>(d+3)|p_1|^2$ holds on the circle. Consider the angle at "
         "which the denominator of the plant vanishes:"
     )

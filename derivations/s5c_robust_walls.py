@@ -32,7 +32,7 @@ def derive(page):
     )
     page.say(
         r"For $\delta=0.02$ a slightly stiffer wall is robustly stable, too. Jury's inequalities "
-        "are polynomials in the numbers of the device, and balls contain these numbers for all "
+        "are polynomials in the coefficients of the device, and balls contain these for all "
         rf"springs up to $\gamma={float(STIFFEST)}$, which is beyond (30). An example has one "
         "period of delay:"
     )
@@ -78,7 +78,7 @@ def derive(page):
 
 
 def changes(page):
-    """With the delay and with the damping, in terms of the stiffness."""
+    """The largest robustly stable stiffness as a function of delay and damping."""
     page.settle(
         "s5c-robust-shrinks",
         shrinks(),
@@ -97,7 +97,7 @@ def changes(page):
 
 
 def left_open(page):
-    """What no theorem decides."""
+    """The statements that no theorem decides."""
     page.say(
         r"Three statements remain open. For $\delta=0.02$ and the delays 0, 1, 2, 4 and 8 each "
         "computed outline of the robustly stable region lies inside the previous one. For the "

@@ -22,7 +22,7 @@ def derive(page):
 
 
 def passive(page):
-    """The passive stiffness for a given delay in seconds."""
+    """The largest passive stiffness for a given delay in seconds."""
     stiffness = 2 * b / T * tan(pi / (4 * (d + 1)))
     scaled = page.step(
         "With $T=t_d/d$ the stiffness (11) is inversely proportional to the delay",
@@ -59,7 +59,7 @@ def passive(page):
 
 
 def settled(page):
-    """At one period of delay, and at ten."""
+    """Settle faster sampling, for a delay of one period and of ten."""
     page.say(
         "For stable walls no such bound is shown for all delays. We call a gain significant if "
         "it is at least a quarter. At ten periods of delay we check every integer ratio of "
@@ -88,7 +88,7 @@ def settled(page):
 
 
 def heavier(page):
-    """More mass and equally more stiffness."""
+    """The mass and the stiffness are multiplied by the same factor."""
     device = plant.sampled(plant.Plant(), T)
     physical = device.denominator + device.numerator * wall.delayed()
     grown = {m: 2 * m, K: 2 * K, B: 2 * B, b: 2 * b, k: 2 * k}
@@ -100,9 +100,9 @@ def heavier(page):
     )
 
 
-# What faster sampling gains for the largest passive stiffness at the same delay in seconds.
+# The largest passive stiffness at a higher rate and the same delay in seconds.
 #
-# By (11) that stiffness is 2 b/T tan(pi/(4 (d+1))), and the tangent over its angle rises.
+# By (11) this stiffness is 2 b/T tan(pi/(4 (d+1))), and tan(x)/x rises with x.
 
 u, v, w = symbols("u v w")
 
@@ -121,7 +121,7 @@ def above_the_sine() -> Theorem:
 
 @cache
 def tangent_over_angle() -> Theorem:
-    """0 < w sin w'/cos w' - w' sin w/cos w for the angles 0 < w < w' < pi/2, w' being u."""
+    """w tan w' > w' tan w for the angles 0 < w < w' < pi/2; w' is written u."""
     quotient = sin(v) / (v * cos(v))
     here = Given(w > 0, w < u, u < pi / 2)
     between = Given(w > 0, w < v, v < u, u < pi / 2)
@@ -132,13 +132,13 @@ def tangent_over_angle() -> Theorem:
 
 
 LATER = FASTER * d
-"""The delay in the shorter periods."""
+"""The delay in periods of the higher rate."""
 
 
 def claim() -> Proposition:
-    """At q times the rate a passive wall is at most 1 + 1/d times as stiff as some passive one.
+    """At q times the rate, a passive wall is at most 1 + 1/d times as stiff as some passive one.
 
-    The delay is the same in seconds, d periods of the slower rate; d and q are whole, 1 <= d.
+    The delay in seconds is the same, d periods of the lower rate; d and q are integers, 1 <= d.
     """
     best, others = PASSIVE.at({K: x, B: y}), PASSIVE.at({T: T / FASTER, d: LATER})
     rest = ForAll((K, B), implied([others], (1 + 1 / d) * x >= K))

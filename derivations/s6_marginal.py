@@ -72,7 +72,7 @@ def in_numbers(page, parameter, id):
 
 
 def damping(page):
-    """No factor bounds what the damper adds."""
+    """No factor bounds the effect of the damper."""
     id = "s6-damping-any-delay"
     then = taken_apart(page.claim(id))[2]
     theorem = by_a_factor(then, {delta: S.Zero}, {})
@@ -92,7 +92,7 @@ def damping(page):
 
 
 def spring(page):
-    """Nor what the spring takes."""
+    """No factor bounds the effect of the spring."""
     id = "s6-stiffness-any-delay"
     then = taken_apart(page.claim(id))[2]
     free: dict = {gamma: S.Zero}

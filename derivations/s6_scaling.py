@@ -24,10 +24,10 @@ from symhaptic.paper.propositions.stability import HEAVY, STIFFER, STRONGER
 
 STILL = dict.fromkeys((b, k, d), S.Zero) | {T: S.One, m: S.One}
 BRAKED = STILL | {K: Rational(713, 1000), B: Rational(33, 40), b: Rational(1, 50)}
-"""Stable, and not with half the damping per mass."""
+"""A wall that is stable with this damper, and not with half the damping per mass."""
 
 SPRUNG = STILL | {K: Rational(686, 1000), B: Rational(8283, 10000), k: Rational(1, 1000)}
-"""Not stable, and stable with a quarter of the spring per mass."""
+"""A wall that is not stable with this spring, and stable with a quarter of it per mass."""
 
 
 def derive(page):
@@ -67,12 +67,12 @@ def derive(page):
 
 
 def _grown(point, stiffness, damping):
-    """With a wall so many times as stiff and as damped."""
+    """Multiply the stiffness and the damping of the wall by two factors."""
     return point | {STIFFER: stiffness * point[K], STRONGER: damping * point[B]}
 
 
 def performance(page):
-    """Stiffness per mass, and all else in proportion."""
+    """Stiffness, damping and mass are multiplied by the same factor."""
     found = page.lemma(
         "Multiplying stiffness and mass by the same factor has no benefit",
         with_the_stiffness(STIFFER),
@@ -88,7 +88,7 @@ def performance(page):
 
 
 def light(page):
-    """A hand of less mass."""
+    """A light device with a smaller mass of the hand."""
     page.say(
         "A loose grip adds less mass to the device. Without damper and spring, the stable walls "
         "shrink by the factor $(m_D+ym_H)/(m_D+m_H)$ if only the share $y$ of the arm's mass is "
@@ -106,7 +106,7 @@ def light(page):
 
 
 def settled(page, id, found, cases, **words):
-    """Right for a free mass, and neither a damper nor a spring can be kept."""
+    """Settle a scaling that is right for a free mass and wrong with a damper or a spring."""
     claim = page.claim(id)
     one = cases[0]
     same = one | {b: S.Zero}
@@ -120,7 +120,7 @@ def settled(page, id, found, cases, **words):
 
 
 def one_sided(claim, values, order):
-    """Of a loop before and after the change, one is stable and the other is not."""
+    """Either before or after the change the loop is stable, but not both."""
     then = taken_apart(claim)[2].at(values)
     same = next(p for p in then.of if getattr(p.of[0], "name", "") == STABLE.name)
     loops = [dict(zip(LOOP, p.terms, strict=True)) for p in same.of]

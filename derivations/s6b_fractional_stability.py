@@ -68,7 +68,7 @@ def derive(page):
     boundary = {alpha: real - damping * (1 - cos(theta)), beta: damping}
     residual = on_circle(polynomial).subs(boundary)
     page.step(
-        "At each angle one wall solves the real and the imaginary part",
+        "At each angle one wall satisfies both parts of the equation",
         residual,
         S.Zero,
         name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,"

@@ -1,4 +1,4 @@
-r"""With a delay of half a period, is every wall stable that is stable in the paper's reading?
+r"""With a delay of half a period, does stability in the paper's reading imply stability?
 
 For a fractional delay the paper puts $z^{-d}=e^{-jd\theta}$ into the polynomial of an integer
 delay. We compare this with the exact polynomial for a free mass and $d=\ell+\tfrac12$. The two
@@ -149,7 +149,7 @@ def derive(page):
     point, held = stands()
     page.settle("fractional-half-mass", found, example=(point, held))
     found = page.lemma(
-        "Some wall is stable in the paper's reading and unstable",
+        "Some wall is stable in the paper's reading and unstable in the exact loop",
         one_error(),
         because=r"the wall $(\alpha,\beta)=(\tfrac1{15},\tfrac{16}{15})$ lies between the two "
         r"boundaries for $\ell=0$, and balls around all roots prove both statements",
@@ -157,7 +157,7 @@ def derive(page):
     page.state(
         "fractional-half-mass-apart",
         "with a delay of half a period some wall is stable for a free mass in the paper's "
-        "reading, the principal sheet, and unstable",
+        "reading, the principal sheet, and unstable in the exact loop",
         claim=read_too_largely(),
     )
     page.settle("fractional-half-mass-apart", found)
@@ -165,7 +165,7 @@ def derive(page):
 
 # With half a period of delay a stable wall of a free mass is stable in the paper's reading.
 #
-# The loop has the polynomial F(z), and what the paper reads is P(v) with v^2 = z and v P(v) =
+# The loop has the polynomial F(z), and the paper's reading has P(v) with v^2 = z and v P(v) =
 # F(v^2) - (v-1)^4 W(v^2)/8.  Along F(v^2) - q (v-1)^4 W(v^2)/8, 0 < q <= 1, no zero crosses the
 # border of the region 0 < Re v, 1 <= |v|.
 
@@ -180,7 +180,7 @@ def half_late_mass() -> Proposition:
 
 @cache
 def on_the_axis() -> Theorem:
-    """f != 0 at j r, 1 < r = exp(psi): z^(l+2) (z-1)^2 and W are real there, and (v-1)^4 is not."""
+    """On the imaginary axis outside the circle the polynomial is not zero."""
     _, brake, stiff = pushes()
     size, sign = exp(psi), exp(I * pi * l)
     above = [sign_of(exp, psi), assume(q > 0)]
@@ -203,7 +203,6 @@ def on_the_axis() -> Theorem:
 
 @cache
 def stable_as_read() -> Theorem:
-    """That."""
     static = positive(Ne(alpha, 0), pushes()[0])
     change = -((v - 1) ** 4) * (PUSH * v**2 - beta) / 8
     shown = no_crossing(), static, on_the_axis()
@@ -221,6 +220,6 @@ def stable_as_read() -> Theorem:
 
 
 def stands() -> tuple[dict[Any, Expr], Theorem]:
-    """A wall, and that it is stable with a delay of half a period."""
+    """A wall that is stable with a delay of half a period."""
     wall: dict[Any, Expr] = {alpha: Rational(1, 20), beta: Rational(1, 2)}
     return {**wall, l: S.Zero}, in_truth(FREE, wall, True)

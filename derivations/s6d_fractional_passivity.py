@@ -53,7 +53,7 @@ def derive(page):
         "motion",
     )
     page.step(
-        "For an integer delay $d$ a sinusoidal motion at the angle $\theta$ requires this damping",
+        r"For an integer delay $d$ a sinusoidal motion at the angle $\theta$ requires this damping",
         b - passivity.margin(),
         passivity.dirichlet_form(),
         name=NEED(d),

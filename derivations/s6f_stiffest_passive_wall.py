@@ -72,23 +72,23 @@ def derive(page):
     )
 
 
-# How stiff is a passive wall at most, that is late by a fraction of a period?  At each angle.
+# A bound of the stiffness of a passive wall with a fractional delay, at each angle.
 
 SHARE = epsilon * (1 - epsilon)
 UP = (1 - epsilon) * sin((l + 1) * theta) + epsilon * sin((l + 2) * theta)
 ALONG = (1 - epsilon) * cos((l + 1) * theta) + epsilon * cos((l + 2) * theta)
 BOUND = proposition(SHARE * K * T * sin(theta) <= 2 * b * (1 - UP))
-"""What an angle allows."""
+"""The bound of the stiffness at one angle."""
 
 
 def below_the_bound() -> Proposition:
-    """No passive wall is stiffer, at any angle."""
+    """Every passive wall meets the bound at every angle."""
     return every(WALL, GIVEN, implied([LATE], at_every_angle(BOUND)))
 
 
 @cache
 def bounded_at_every_angle() -> Theorem:
-    """The margin is a square short of the square of what is left, which is not negative then."""
+    """The bound follows from the margin, which is a difference of squares."""
     always = conjunct(mp(passive_late(), assume(LATE)), EVERY_MARGIN)
     margin = at(always, {theta: theta}, *(assume(p) for p in INSIDE))
     half = sine_of_half(theta)

@@ -90,27 +90,27 @@ def derive(page):
 
 
 def room(size):
-    """0 <= 1 - size, from size <= 1."""
+    """0 <= 1 - size, if size <= 1."""
     return positive(1 - size >= 0, size <= 1)
 
 
-# A wall that is passive at the next whole delay is passive at every fraction before it.
+# A wall that is passive at the next integer delay is passive at every fractional delay before it.
 #
 # At one angle theta = 2 psi the wall u = K T/(2 b), w = (B + K T/2)/b is written w = r sin kappa
-# and u cot psi = r cos kappa.  With N = 2 (l + 2) and chi = N psi - kappa the next whole delay
-# needs r sin chi, and the margin over b^2 is 1 - r ((1 - epsilon) sin (chi - 2 psi) + epsilon sin
-# chi) - epsilon (1 - epsilon) r^2 sin^2 psi.
+# and u cot psi = r cos kappa.  Let N = 2 (l + 2) and chi = N psi - kappa.  The next integer delay
+# requires the damping b r sin chi, and the margin over b^2 is
+# 1 - r ((1 - epsilon) sin (chi - 2 psi) + epsilon sin chi) - epsilon (1 - epsilon) r^2 sin^2 psi.
 
 CHI = N * psi - kappa
 STIFF, DAMPED = 2 * b * r * cos(kappa) * tan(psi) / T, b * r * (sin(kappa) - cos(kappa) * tan(psi))
-"""K and B of the wall."""
+"""The stiffness K and the damping B of the wall."""
 POLAR = {K: STIFF, B: DAMPED, l: N / 2 - 2}
 NEXT = every_margin(l + 1).at(POLAR)
-"""It is passive at the next integer delay, as far as the angles say."""
+"""The margin at the next integer delay is not negative at any angle."""
 LATE = MARGIN.xreplace({**POLAR, theta: 2 * psi})
 REST, LOSS = 1 - epsilon, epsilon * (1 - epsilon) * r**2 * sin(psi) ** 2
 SHARE = 1 - r * (REST * sin(CHI - 2 * psi) + epsilon * sin(CHI)) - LOSS
-"""The margin over b^2."""
+"""The margin divided by b^2."""
 ANGLE = Given(epsilon >= 0, epsilon <= 1, r > 0, N >= 4, psi > 0, psi < pi / 2)
 ANGLE = ANGLE.and_(kappa > -pi / 2, kappa < pi / 2)
 for claim in REST >= 0, sin(psi) > 0, cos(psi) > 0, PAIR >= 0:
@@ -126,7 +126,7 @@ def _chord(lower: Expr, upper: Expr, here: Given) -> Theorem:
 
 
 def beyond(room: Theorem) -> Theorem:
-    """0 <= margin from r <= 1: all squares."""
+    """0 <= margin if r <= 1; the margin is a sum of squares."""
     size, part_, rest = assume(r > 0), assume(epsilon >= 0), ANGLE.show(REST >= 0)
     first, second = pi / 4 - CHI / 2 + psi, pi / 4 - CHI / 2
     return combined(
@@ -141,7 +141,7 @@ def beyond(room: Theorem) -> Theorem:
 
 
 def before(room: Theorem) -> Theorem:
-    """0 <= margin from r sin chi <= 1 and psi/2 <= chi < pi/2."""
+    """0 <= margin if r sin chi <= 1 and psi/2 <= chi < pi/2."""
     here = ANGLE.and_(psi / 2 <= CHI, pi / 2 > CHI)
     wave, pair, rest = (here.show(e) for e in (sin(psi) > 0, PAIR >= 0, REST >= 0))
     here.have(CHI > 0)
@@ -159,7 +159,7 @@ def before(room: Theorem) -> Theorem:
 
 
 def low(room: Theorem) -> Theorem:
-    """0 <= margin from r sin kappa <= 1 and chi < psi/2."""
+    """0 <= margin if r sin kappa <= 1 and chi < psi/2."""
     here = ANGLE.and_(psi / 2 > CHI)
     wave, pair, rest = (here.show(e) for e in (sin(psi) > 0, PAIR >= 0, REST >= 0))
     size = assume(r > 0)
@@ -192,11 +192,11 @@ def low(room: Theorem) -> Theorem:
     return here.closed(found)
 
 
-# -- what the next whole delay asks for ------------------------------------------------
+# -- the condition of the next integer delay -------------------------------------------
 
 
 def _needed(angle: Expr, room: Expr, here: Given, *more: Any) -> Theorem:
-    """0 <= room, which is what is left at an angle x, and more: b - need at theta = 2 x."""
+    """0 <= room, from the margin of the next integer delay at the angle 2 x."""
     here = here.and_(b > 0, T > 0)
     here.have(angle > 0)
     here.have(angle < pi / 2)
@@ -208,17 +208,17 @@ def _needed(angle: Expr, room: Expr, here: Given, *more: Any) -> Theorem:
 
 
 def _here() -> Theorem:
-    """r sin chi <= 1."""
+    """r sin chi <= 1, from the margin at the angle psi."""
     return _needed(psi, 1 - r * sin(CHI), ANGLE)
 
 
 def _at_the_end() -> Theorem:
-    """r sin kappa <= 1, from N x = pi."""
+    """r sin kappa <= 1, from the margin at N x = pi."""
     return _needed(pi / N, 1 - r * sin(kappa), ANGLE)
 
 
 def _early() -> Theorem:
-    """r <= 1 for pi/2 <= chi, from N x = pi/2 + kappa, where u cot x is larger still."""
+    """r <= 1 if pi/2 <= chi, from the margin at the smaller angle N x = pi/2 + kappa."""
     here = ANGLE.and_(pi / 2 <= CHI)
     angle = (pi / 2 + kappa) / N
     here.have((CHI - pi / 2) / N >= 0)
@@ -232,7 +232,7 @@ def _early() -> Theorem:
 
 @cache
 def at_one_angle() -> Theorem:
-    """0 <= margin over b^2 at an angle, from the margins of the next integer delay."""
+    """The margin at an angle is not negative if those of the next integer delay are not."""
     late, early, first = beyond(_early()), before(_here()), low(_at_the_end())
     later = disj_cases(ordered(CHI, pi / 2), early, late)
     return disj_cases(ordered(CHI, psi / 2), first, later)
@@ -246,13 +246,12 @@ WALLS = (K, B, b, T, l, epsilon)
 
 
 def rounded_up() -> Proposition:
-    """What is passive for the delay l + 1 is passive for every delay between l and l + 1."""
+    """A wall that is passive for the delay l + 1 is passive for every delay between l and l + 1."""
     return every(WALLS, [*GIVEN, NEXT_WALL], LATE_WALL)
 
 
 @cache
 def safe_when_rounded_up() -> Theorem:
-    """That."""
     found = mp(HERE.closed(inst(passive_by_angle(), {d: l + 1})), assume(NEXT_WALL))
     stiff = strictly(conjunct(found, K >= 0), show(Ne(0, K), Ne(K, 0)))
     sprung = prove_hyp(closed(_sprung(), stiff), conjunct(found, every_margin(l + 1)))
@@ -261,13 +260,13 @@ def safe_when_rounded_up() -> Theorem:
 
 
 def _sprung() -> Theorem:
-    """passive, for 0 < K: at each angle the wall has an r and a kappa."""
+    """A wall with 0 < K is passive, since it has an r and a kappa at each angle."""
     margin = for_all([theta], INSIDE, _margin())
     return mp(passive_late(), conj(show(K >= 0, K > 0), margin))
 
 
 def _margin() -> Theorem:
-    """0 <= margin of a wall with 0 < K at an angle, from those of the next integer delay."""
+    """A wall with 0 < K has 0 <= margin at an angle."""
     along, across = K * T * cos(theta / 2) / (2 * b * sin(theta / 2)), (B + K * T / 2) / b
     one_, two = (assume(Eq(v, r * f(kappa))) for v, f in ((along, cos), (across, sin)))
     stiff, damped = (v.subs(psi, theta / 2) for v in (STIFF, DAMPED))
@@ -283,7 +282,7 @@ def _margin() -> Theorem:
 
 
 def _turned(stiff: Expr, damped: Expr) -> Theorem:
-    """0 <= margin at an angle, by r and kappa."""
+    """0 <= margin at an angle, in terms of r and kappa."""
     found = inst(at_one_angle(), {N: 2 * l + 4, psi: theta / 2})
     wall = {K: stiff, B: damped}
     x = Symbol("x")  # theta is in the wall
@@ -299,7 +298,7 @@ def _turned(stiff: Expr, damped: Expr) -> Theorem:
 
 
 def _back(equation: Theorem) -> Theorem:
-    """b = a from a = b."""
+    """From a = b, b = a."""
     left, right = equation.conclusion.terms
     return combined(Relation(right, "=", left), [equation, -S.One])
 
@@ -307,7 +306,7 @@ def _back(equation: Theorem) -> Theorem:
 def _written(
     claim: Proposition, stiff: Theorem, damped: Theorem, known: Theorem | None = None
 ) -> Theorem:
-    """A claim on the wall K, B with the right sides of two equations for their left sides."""
+    """A claim on K and B, rewritten by two equations K = ... and B = ..."""
     place = Symbol("q")
     one_, other = stiff.conclusion.terms, damped.conclusion.terms
     found = known or assume(claim)
@@ -316,7 +315,7 @@ def _written(
 
 
 def _soft() -> Theorem:
-    """passive, for K = 0: the damping is b at most."""
+    """A wall with K = 0 is passive, since its damping is at most b."""
     at_once, place = {epsilon: S.One}, Symbol("q")
     none = assume(Eq(K, 0))
     damper = subst(NEXT_WALL.at({K: place}), place, assume(NEXT_WALL), none)
@@ -329,11 +328,11 @@ def _soft() -> Theorem:
 
 
 NOTHING = {K: S.Zero, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: HALF}
-"""No wall at all."""
+"""The wall K = B = 0."""
 
 
 @cache
 def nothing_is_passive() -> Theorem:
-    """No wall is passive with one period of delay."""
+    """The wall K = B = 0 is passive with one period of delay."""
     found = inst(all_between(), {s: v for s, v in {**NOTHING, epsilon: S.One}.items() if s != K})
     return Given().closed(found)

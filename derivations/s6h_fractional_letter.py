@@ -27,13 +27,13 @@ def derive(page):
             1,
             gamma + alpha,
             r"At $\zeta=1$ the polynomial is a multiple of $\gamma+\alpha$",
-            "positive if all roots are inside",
+            "the value is positive if all roots lie inside",
         ),
         (
             -1,
             alpha - gamma,
             r"At $\zeta=-1$ the polynomial is a multiple of $\alpha-\gamma$, for even $q$",
-            "negative if so, since the degree $3q+r$ is odd",
+            "the value is negative if all roots lie inside, since the degree $3q+r$ is odd",
         ),
     ):
         value = Eq(power * (1 - a + e) + total * alpha, total * wall)
@@ -83,16 +83,16 @@ def settle_figures(page):
     )
 
 
-# (18) to the letter, with all sheets of z^d: what of an even denominator no wall can meet.
+# (18) taken literally, with all sheets of z^d: for an even denominator hardly any wall is stable.
 
 p, q = Symbol("p"), Symbol("q")
 EVEN = (2 * p + 1) / (2 * q + 2)
-"""A delay with an even denominator, in lowest terms, too."""
+"""A delay with an even denominator, also in lowest terms."""
 WALLS = (alpha, beta, gamma, delta, p, q)
 
 
 def letter(late: Expr) -> Predicate:
-    """Stable as the paper reads it."""
+    """Stable if (18) is taken literally."""
     return Predicate("stable_substituted", (), (alpha, beta, gamma, delta, late))
 
 
@@ -101,13 +101,13 @@ WITHIN = And(tuple(map(proposition, (gamma > 0, alpha > -gamma, alpha < gamma)))
 
 
 def only_within_the_spring() -> Proposition:
-    """A wall is stable to the letter only if gamma > 0 and |alpha| < gamma."""
+    """Taken literally, (18) allows only walls with gamma > 0 and abs(alpha) < gamma."""
     return every(WALLS, GIVEN, WITHIN)
 
 
 @cache
 def within_the_spring() -> Theorem:
-    """That: p(1) > 0 at w = 1, and with the sign of the highest power at w = -1."""
+    """The polynomial is positive at w = 1, and has the sign of the highest power at w = -1."""
     over_, under = 2 * p + 1, 2 * q + 1
     found = axiom("loop in w", *(alpha, beta, gamma, delta, EVEN), *NUMBERS, over_, under)
     known = [assume(whole(s)) for s in (p, q)]
@@ -149,14 +149,17 @@ DELAYS = (HALF, HALF / 2)
 DRAWN = {gamma: Rational(1, 1000), delta: Rational(1, 50)}
 """The device of Fig. 11."""
 FREE = DRAWN | {gamma: S.Zero}
-"""The same without a spring, one of those that Fig. 13 is about."""
+"""The device of Fig. 11 without a spring, which is one of the devices of Fig. 13."""
 STIFF = {alpha: Rational(1, 100), beta: S.Zero}
 """A wall that meets (5), ten times as stiff as the spring of Fig. 11."""
 
 
 def not_those_drawn() -> Proposition:
-    """To the letter, of half and a quarter of a period: in Fig. 11 a wall that meets (5) is not
-    stable, which the text excludes, and without a spring, in Fig. 13, no wall is stable."""
+    """(18) taken literally, with a delay of half and a quarter of a period.
+
+    Some wall of Fig. 11 that meets (5) is not stable, which the text excludes. No wall is stable
+    without a spring, a device of Fig. 13.
+    """
     return both(c for late in DELAYS for c in (_some_wall(late), _no_wall(late)))
 
 
@@ -170,7 +173,7 @@ def _no_wall(late: Expr) -> Proposition:
 
 @cache
 def drawn_otherwise() -> Theorem:
-    """That, by the spring that a stable wall may not exceed."""
+    """The spring bounds the stiffness of stable walls, and the walls of the figures exceed it."""
     found = []
     for late in DELAYS:
         point = DRAWN | STIFF | {d: late}
@@ -183,7 +186,7 @@ def drawn_otherwise() -> Theorem:
 
 
 def _beyond(point: Mapping[Symbol, Expr], denial: Theorem) -> Theorem:
-    """Not stable to the letter, since a condition for that is denied."""
+    """Taken literally, (18) is not stable, because a necessary condition fails."""
     values = {s: point[s] for s in (alpha, beta, gamma, delta)}
     values |= {p: S.Zero, q: 1 / (2 * point[d]) - 1}
     stable = letter(EVEN).at(values)
@@ -193,9 +196,9 @@ def _beyond(point: Mapping[Symbol, Expr], denial: Theorem) -> Theorem:
 
 
 def _in_terms(late: Expr) -> list[Any]:
-    """The margin of the stiff wall in hundredths, with x = cos(late omega): all in squares.
+    """The terms of the margin of the stiff wall, in hundredths, with x = cos(late omega).
 
-    Of half a period 1 + (1 - x), of a quarter 1 + (1 - x) + 1/(4 x).
+    For half a period the margin is 1 + (1 - x), for a quarter 1 + (1 - x) + 1/(4 x).
     """
     slow, share = late * omega, STIFF[alpha]
     x = cos(slow)

@@ -52,8 +52,8 @@ def derive(page):
         "the list of references names two authors",
     )
     page.say(
-        "The list of references gives two authors for [21], [28] and [30], as for [27], which "
-        "Table II names by both authors."
+        "According to the list of references, [21], [28] and [30] have two authors each. So has "
+        "[27], and Table II names both authors of [27]."
     )
     page.settle_slip(
         "s4c-et-al",

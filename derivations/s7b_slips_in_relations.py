@@ -43,11 +43,11 @@ def derive(page):
     )
 
 
-# Why neither end of the interval of Sec. V-C will do.
+# Neither end of the interval of Sec. V-C is the correct bound.
 
 
 def neither_end() -> Theorem:
-    """Not for the lower end, where delta is 0.02, nor for the upper one, where it is 0."""
+    """The lower end is wrong for delta = 0.02, and the upper end for delta = 0."""
     low, high = (below(end) for end in ENDS)
     damped, undamped = ({gamma: ENDS[1], delta: value} for value in (END, S.Zero))
     false = [clash(low, damped, 0), clash(high, undamped, 1)]
@@ -57,7 +57,7 @@ def neither_end() -> Theorem:
 
 
 def clash(claim: Proposition, values: Terms, holds: int) -> Theorem:
-    """Falsehood from an equivalence of which just one side, the one that ``holds``, is true."""
+    """A contradiction from an equivalence of which only one side, ``holds``, is true."""
     _, given, same = taken_apart(claim)
     inside = [fact(p.at(values)) for p in given]
     there = at(assume(claim), values, *inside)

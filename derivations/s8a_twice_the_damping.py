@@ -1,4 +1,4 @@
-"""Is a wall stable whose stiffness is at most twice the damping over the period?
+"""Is a wall stable if its stiffness is at most twice the damping over the period?
 
 Colgate and Schenkel derived this passivity limit for a wall without virtual damping and delay.
 Some designers also use it as a rule for walls with a delay. We ask for which walls it is safe.
@@ -27,7 +27,7 @@ def derive(page):
     still = {B: S.Zero, k: S.Zero, T: S.One, m: S.One, K: S.One, b: S.Half}
     late = {alpha: S.One, beta: S.Zero, gamma: S.Zero, delta: S.Half, d: S.One}
     page.lemma(
-        r"With one period of delay the wall $K=1$ of $b=\frac12$, $m=T=1$ is not stable",
+        r"With one period of delay, $b=\frac12$ and $m=T=1$, the wall $K=1$ is not stable",
         outside(late),
     )
     page.settle(

@@ -1,4 +1,4 @@
-"""Is a wall stable whose stiffness is below the damping over the delay?
+"""Is a wall stable if its stiffness is below the damping over the delay?
 
 This bound is the linear condition, the simplest rule for a loop with a delay. In this rule the
 hold adds half a period to $t_d$, and virtual damping counts like the damping of the device. We ask
@@ -28,7 +28,9 @@ def derive(page):
     )
     wall = {K: S.One, T: S.One, m: S.One, b: S.One, k: S.Zero, d: S.Zero}
     braked = {alpha: S.One, beta: S(3), gamma: S.Zero, delta: S.One, d: S.Zero}
-    page.lemma("Without delay the wall $K=1$, $B=3$ of $m=T=b=1$ is not stable", outside(braked))
+    page.lemma(
+        "Without delay and with $m=T=b=1$, the wall $K=1$, $B=3$ is not stable", outside(braked)
+    )
     page.settle(
         RULE,
         found,

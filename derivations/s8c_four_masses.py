@@ -1,4 +1,4 @@
-"""Is a wall stable whose stiffness is below four or two masses over the squared period?
+"""Is a wall stable if its stiffness is below four or two masses over the squared period?
 
 The two rules depend only on the mass and the period, and not on damping or delay. We test them
 with the simplest device, a free mass without delay.
@@ -20,7 +20,7 @@ def derive(page):
         "spring adds energy",
         boxed=True,
     )
-    page.lemma("The wall $K=1$ of $m=T=1$ has a root outside the circle", outside(ROOTS))
+    page.lemma("With $m=T=1$ the wall $K=1$ has a root outside the circle", outside(ROOTS))
     for rule in RULES:
         symbols, (*given, _), _ = taken_apart(page.claim(rule))
         page.settle(

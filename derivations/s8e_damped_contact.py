@@ -1,4 +1,4 @@
-"""Is a wall stable whose stiffness is below $2B/T-B^2T/(2m)$?
+"""Is a wall stable if its stiffness is below $2B/T-B^2T/(2m)$?
 
 Simulation code uses this rule for the spring and the damper of a contact, without delay. For a free
 mass we derive the exact limit and compare the rule with it.

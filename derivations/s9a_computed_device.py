@@ -44,7 +44,7 @@ NUMBERS = (
     (7, "n_1+n_0", S.One, NumeratorAtOne, "At $z=1$ the numerator is a product over the spring"),
     (8, "n_1-n_0", delta, NumeratorGap, r"At $z=-1$ the numerator contains the factor $\delta$"),
 )
-"""Their places among the numbers of a device, and how they are computed."""
+"""The index of each number of a device, and how the program computes it."""
 GIVEN = {gamma: SPRING}
 
 

@@ -62,10 +62,9 @@ def derive(page):
         page,
         "discretize_fractional",
         (ALL, LATE),
-        "the computed numbers of the device, its values at $z=1$ and $z=-1$ and, with a fractional "
-        "delay "
-        "of a period, $m_2$, $m_1$, $m_0$, $m_2-m_1+m_0$ and $2(m_2-m_0)$ are the derived ones, "
-        f"{UNDEFINED}",
+        "the computed coefficients of the device, its values at $z=1$ and $z=-1$ and, with a "
+        "fractional delay, $m_2$, $m_1$, $m_0$, $m_2-m_1+m_0$ and $2(m_2-m_0)$ are the derived "
+        f"ones, {UNDEFINED}",
     )
     page.say(
         "For any delay, the program counts the roots by means of the angles at which device and "

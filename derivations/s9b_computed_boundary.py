@@ -65,6 +65,6 @@ def derive(page):
         page,
         "stability_boundary",
         (BOUNDARY, LATE_BOUNDARY),
-        "the computed wall at an angle is the derived one, for any numbers of the device and for "
-        f"integer and fractional delays, {UNDEFINED}",
+        "the computed wall at an angle is the derived one, for any coefficients of the device "
+        f"and for integer and fractional delays, {UNDEFINED}",
     )

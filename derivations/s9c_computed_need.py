@@ -22,7 +22,7 @@ FIRST = {
     Spread: (d + 1) * (2 * d + 1) * (2 * d + 3) / 3,
     Chord: (d + 1) * (2 * d**2 + 4 * d + 3) / 3,
 }
-"""What the last two are at the angle 0."""
+"""The values of the last two functions at the angle 0."""
 
 
 def derive(page):

@@ -75,6 +75,15 @@ def test_a_chapter_is_referred_to_by_its_name_and_not_by_where_it_stands():
         assert set(re.findall(r"\\chapter\{(\w+)\}", words)) <= set(numbers()), path
 
 
+def test_no_formula_in_a_text_has_a_control_character():
+    r"""Without the prefix r, the first two characters of ``\theta`` are a tab."""
+    for path in shipped():
+        nodes = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        texts = (n.value for n in nodes if isinstance(n, ast.Constant))
+        found = [t for t in texts if isinstance(t, str) and re.search("[\a\b\t\v\f\r]", t)]
+        assert found == [], path
+
+
 @pytest.mark.parametrize(
     "title",
     ["As a theorem", "The damping is covered, too", "For a damped device it does not"],

@@ -28,12 +28,12 @@ WORDS = {
 }
 """What is found, and what to say instead."""
 
-GUIDES = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/*.md")
+GUIDES = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "docs/*.md")
 PROGRAMS = (
     *("docs/gallery/*.py", "derivations/s*.py"),
     *(
         f"src/symhaptic/{room}/*.py"
-        for room in ("check", "cli", "export", "scene", "loops", "sweeps")
+        for room in ("check", "cli", "export", "rules", "scene", "loops", "sweeps")
     ),
     *("src/symhaptic/book/parts.py", "src/symhaptic/book/consequences.py"),
     *("src/symhaptic/book/report/*.py", "src/symhaptic/notation/predicates.py"),

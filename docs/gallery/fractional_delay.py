@@ -1,7 +1,7 @@
 """Fractional delays.
 
-With a delay of one and a half periods the force changes within a period, which no power of $z$
-describes. Stable walls for one to two periods of delay, in quarters.
+With a delay of one and a half periods the force changes within a period. No power of $z$ describes
+this change. Stable walls for one to two periods of delay, in quarters.
 """
 
 import matplotlib.pyplot as plt

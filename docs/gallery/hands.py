@@ -1,7 +1,7 @@
 """How much stiffness does an arm add?
 
 The stiffness limit of one device with 5 Ns/m of virtual damping, alone and with the arms of Table
-II. Every arm raises the limit, by very different amounts, but the user may let go.
+II. Every arm raises the limit. Without an arm, as when the user lets go, the limit is lower.
 """
 
 import matplotlib.pyplot as plt

@@ -1,7 +1,8 @@
 """Walls that are stable with every arm.
 
 Proved for every arm of the range (23), and for the device alone. The steps are the columns of the
-proof. In the dashed rectangle, the largest one, stiffness and damping may be chosen freely.
+proof. The dashed rectangle is the largest one inside the region. Within it, stiffness and damping
+may be chosen independently.
 """
 
 from symhaptic import Scene

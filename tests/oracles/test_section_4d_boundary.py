@@ -136,8 +136,8 @@ def test_the_boundary_at_small_angles():
         r"The boundary starts at $\beta=-s_1-d\gamma$",
     ]
     titles += [
-        "From its start the boundary goes to the right in the second order",
-        "From its start the boundary goes up in the second order",
+        "To second order the boundary goes to the right from its start",
+        "To second order the boundary goes up from its start",
         r"The initial slope of the boundary is a fraction less than $d+\frac12$",
     ]
     only(agrees, *(shown(ENDS, title) for title in titles))

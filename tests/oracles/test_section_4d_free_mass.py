@@ -61,7 +61,10 @@ def test_how_the_two_roots_near_one_move():
         roots = [oracle.moduli(a, beta, 0, 0, 2).max() for a in (step, 2 * step)]
         assert (roots[1] - roots[0]) / step == pytest.approx(number(first, beta=beta), rel=1e-3)
 
-    titles = ("The first root near 1 moves inside", "The second root near 1 moves inside")
+    titles = (
+        r"The first root near 1 moves inside as $\alpha$ grows",
+        r"The second root near 1 moves inside as $\beta$ grows",
+    )
     only(agrees, *(shown(MASS, title) for title in titles))
 
 

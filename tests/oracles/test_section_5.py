@@ -48,7 +48,7 @@ def test_a_pulling_wall_runs_away_and_the_need_is_proportional():
         agrees,
         shown(
             "s5a_passive_is_robust",
-            "The required damping is proportional to stiffness and damping of the wall",
+            "A wall with $y$ times the stiffness and damping requires $y$ times the damping",
         ),
     )
 

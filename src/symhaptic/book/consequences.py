@@ -104,7 +104,7 @@ MISLEADING: dict[str, str] = {
 }
 
 HARMLESS: dict[str, str] = {
-    "eq6": r"None in practice: walls on the border are passive, so that $\ge$ is sufficient for "
+    "eq6": r"None in practice: walls with equality are passive, so that $\ge$ is sufficient for "
     r"$K\ge0$.",
     "s3a-undelayed": "None in practice; see (6).",
     "s3c-bmax-frequency": "Without delay the frequency is the Nyquist frequency, which (5) "
@@ -137,8 +137,8 @@ RULES: dict[str, str] = {
     "device; with little damping the ratio has no bound.",
     "rules:two-dampings": "For a wall that computes the velocity use $2B(2m-BT)/(T(2m+BT))$.",
     "rules:plain-damping": "The rule is safe with a filter, but not with a delay: use (9) or (11).",
-    "rules:virtual-mass": "Beside a spring and a damper keep to $b\\ge KT/2+B+2M/T$.",
-    "rules:virtual-mass-stable": "With a delay of one period keep to 62 per cent of it.",
+    "rules:virtual-mass": r"With a spring and a damper keep to $b\ge KT/2+B+2m_v/T$.",
+    "rules:virtual-mass-stable": "With a delay of one period keep to 62 per cent of this limit.",
     "rules:both-below-two": "Check the bound of your integrator: $K<4m/T^2-2B/T$ for semi-implicit "
     "Euler, and for explicit Euler $K<B/T$.",
     "rules:one-mass": r"For semi-implicit Euler with $B\le3m/(2T)$ only; it is no statement "
@@ -147,13 +147,14 @@ RULES: dict[str, str] = {
     "$B=2m\\tau_f/(T(T+4\\tau_f))$; beyond, use the bound of \\chapter{s10f_filtered_mass}.",
     "rules:lag-below-delay": "Compute the limit with the actuator's lag. A device with a spring "
     "can be unstable with a lag although it is stable with an equal delay.",
-    "rules:energy-leak": "With a delay of $d$ periods the damper needs $2d+1$ times as much.",
-    "rules:delay-damping": "Round a fractional delay up to whole periods.",
+    "rules:energy-leak": "With a delay of $d$ periods the damper must dissipate $2d+1$ times as "
+    "much energy.",
+    "rules:delay-damping": "Round a fractional delay up to an integer.",
     "coupling:damper": "The damping of the device must exceed $KT/2+|B|$; reduce $K$ if it does "
     "not.",
     "coupling:implicit": "None for passivity; the integration step damps the oscillations of the "
     "simulation.",
-    "coupling:stable-mass": "With a delay of one period keep to 62 per cent of it.",
+    "coupling:stable-mass": "With a delay of one period keep to 62 per cent of this limit.",
     "coupling:ratio": "None: 2.4 kg is too heavy either way.",
 }
 """The same of the other sources, which are no errata of the paper."""

@@ -97,8 +97,8 @@ PARTS = (
         "A formula that is right may still be useless in floating-point arithmetic: it can be "
         "0/0, or lose digits by cancellation. The computed and exported forms are therefore "
         "written in other functions. In this part each computed formula is proved equal to the "
-        "derived one; for a value that is found by a search, the criterion of the search is. "
-        "Round-off errors are measured and are not part of a theorem.",
+        "derived one. For a value that is found by a search, the criterion of the search is "
+        "proved. Round-off errors are measured and are not part of a theorem.",
     ),
     Part(
         "What is wrong",

@@ -1,7 +1,7 @@
-"""What each rule claims: that every wall it allows is stable, in SI units.
+"""The claim of each rule: every wall that it allows is stable, in SI units.
 
-Stable is meant exactly, for every real delay.  A rule that does not name the delay, the arm or the
-damper claims to hold for all of them; a wall pushes, K > 0.
+Stability is exact, for every real delay. A rule that does not name the delay, the arm or the damper
+is meant for all of them. A wall has K > 0.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ STABLE = EXACT.at(UNITS)
 
 
 def allowed(printed: Sequence[Any], *given: Any) -> Proposition:
-    """Every pushing wall that the printed rule allows is stable."""
+    """Every wall with K > 0 that the rule allows is stable."""
     return ForAll((K, B, T, m, b, k, d), implied([*LOOPS, K > 0, *given, *printed], STABLE))
 
 
 @claims("rules:damping-over-delay")
 def _damping_over_delay(printed: Printed) -> Proposition:
-    """For every B, arm and delay of whole periods, t_d = d T."""
+    """For every B, arm and integer delay, t_d = d T."""
     return allowed([rule.subs(t_d, d * T) for rule in printed], whole(d))
 
 
@@ -43,5 +43,5 @@ def _springs(printed: Printed) -> Proposition:
 
 @claims("rules:damped-contact", "rules:euler-for-devices", "rules:two-dampings")
 def _damped_contact(printed: Printed) -> Proposition:
-    """For a free mass without delay, as long as B > 0."""
+    """For a free mass without delay, if B > 0."""
     return allowed(printed, B > 0, sp.Eq(b, 0), sp.Eq(k, 0), sp.Eq(d, 0))

@@ -1,7 +1,7 @@
-"""A design record that can be read in full: how a device is made to feel a heavy mass.
+"""A public design record: how a haptic device renders a heavy mass.
 
-It reasons about virtual mass, a coupling by spring and damper, and backward Euler.  All that it
-says in numbers or relations is a statement here.
+The record is about virtual mass, a coupling by spring and damper, and backward Euler.  Each of its
+numbers and relations is a statement here.
 """
 
 from __future__ import annotations
@@ -45,7 +45,8 @@ STATEMENTS = {
         Statement(
             "coupling:passive-mass",
             "Why the delta.3 cannot",
-            "a virtual mass of which passivity is guaranteed has micrograms",
+            "the largest virtual mass that is guaranteed to be passive is of the order of "
+            "micrograms",
             quote="the passivity-guaranteed renderable mass is on the order of micrograms",
         ),
         Statement(
@@ -60,35 +61,35 @@ STATEMENTS = {
         Statement(
             "coupling:ratio",
             "Why the delta.3 cannot",
-            "2.4 kg are 5 to 12 times the mass of the device",
+            "a mass of 2.4 kg is 5 to 12 times the mass of the device",
             quote=r"At M = 2.4 kg, the mass-to-device-mass ratio of $\sim$5–12× substantially "
             "exceeds this limit.",
         ),
         Statement(
             "coupling:beside-spring",
             "Why the delta.3 cannot",
-            "beside a spring fewer virtual masses are stable than alone",
+            "fewer virtual masses are stable together with a spring than alone",
             quote="combined spring-mass rendering has a smaller stability region than pure mass "
             "rendering alone",
         ),
         Statement(
             "coupling:rest",
             "Alternatives considered",
-            "of 2.4 kg a device of 0.4 kg leaves 2.0 kg to be rendered",
+            "to render 2.4 kg with a device of 0.4 kg, a virtual mass of 2.0 kg is required",
             (r"2.4 - 0.4 = 2.0",),
             quote="M_additional = $2.4 - 0.4 = 2.0$ kg needs active rendering",
         ),
         Statement(
             "coupling:implicit",
             "Rationale, 1",
-            "a mass and a spring that are simulated by backward Euler keep their energy",
+            "the energy of a mass and a spring is constant in a simulation by backward Euler",
             quote="an implicit (backward Euler) integrator, which guarantees discrete-time energy "
             "conservation of the simulation",
         ),
         Statement(
             "coupling:damper",
             "Rationale, 3",
-            "a coupling is passive if its damper outweighs the period times half of its stiffness",
+            "a coupling is passive if its damper is at least half its stiffness times the period",
             (r"B \geq \frac{TK}{2}",),
             condition=True,
             quote="The coupler parameters are chosen per the Adams-Hannaford two-port passivity "
@@ -98,23 +99,23 @@ STATEMENTS = {
 }
 
 PASSIVE = AVERAGED.at({f_v: sp.S.Zero})
-"""Spring and damper to a point that is held; the velocity is the difference of two samples."""
+"""A spring and a damper to a fixed point; the velocity is the difference of two samples."""
 
 ALONE = FREELY.at({d: sp.S.Zero})
-"""A free mass under its virtual mass alone, without delay."""
+"""A free mass with a virtual mass alone, without delay."""
 
 SPRUNG = Predicate(
     "stable",
     (z,),
     (z**2 * (z - 1) ** 2 + (z + 1) / 2 * (K * T**2 / m * z**2 + m_v / m * (z - 1) ** 2),),
 )
-"""The same beside a spring."""
+"""A virtual mass together with a spring, for a free mass without delay."""
 
 NEXT_X, NEXT_V = sp.symbols("p q")
-"""Where mass and spring are after a step."""
+"""Position and velocity after a step."""
 
 STEP = (sp.Eq(NEXT_X, x + T * NEXT_V), sp.Eq(NEXT_V, v - T * k * NEXT_X / m))
-"""A step of backward Euler: position and velocity change by what is there after it."""
+"""A step of backward Euler: the change is computed from the values after the step."""
 
 BEFORE, AFTER = ((m * speed**2 + k * way**2) / 2 for way, speed in ((x, v), (NEXT_X, NEXT_V)))
 """The energy of mass and spring."""
@@ -133,13 +134,13 @@ def _difference(printed: Printed) -> Proposition:
 
 @claims("coupling:damper")
 def _damper(printed: Printed) -> Proposition:
-    """With every damping of the device, none included."""
+    """With every damping of the device, including none."""
     return ForAll((K, B, b, T), implied([T > 0, b >= 0, K >= 0, *printed], PASSIVE))
 
 
 @claims("coupling:beside-spring")
 def _beside_spring(printed: Printed) -> Proposition:
-    """What is stable beside a spring is stable alone."""
+    """A virtual mass that is stable together with a spring is stable alone."""
     given = [m > 0, T > 0, K > 0, m_v >= 0, SPRUNG]
     return ForAll((K, m_v, m, T), implied(given, ALONE))
 

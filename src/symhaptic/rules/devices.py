@@ -1,6 +1,6 @@
-"""Devices as they are published: mass and damping where somebody says them, and a driver's limits.
+"""Published devices: mass and damping where a source gives them, and the limits of a driver.
 
-The numbers are decimals as they are printed; the paper's arms are in :mod:`symhaptic.paper.tables`.
+The numbers are the published decimals; the arms of the paper are in :mod:`symhaptic.paper.tables`.
 """
 
 from __future__ import annotations
@@ -10,19 +10,19 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Device:
-    """One device; what nobody publishes is ``None``."""
+    """One device; a value without a source is ``None``."""
 
     name: str
     source: str
-    """Where each number is from."""
+    """The source of each number."""
     mass: str | None = None
     """m_D in kg."""
     damping: str | None = None
     """b_D in Ns/m."""
     K: str | None = None
-    """The largest stiffness that is recommended for it, in N/m."""
+    """The largest recommended stiffness in N/m."""
     B: str | None = None
-    """The largest virtual damping that is recommended for it, in Ns/m."""
+    """The largest recommended virtual damping in Ns/m."""
 
 
 _CHAI3D = (
@@ -32,7 +32,7 @@ _CHAI3D = (
 
 
 def _driver(name: str, K: str, B: str, file: str, model: str = "") -> Device:
-    """A device of which only its driver says what it bears."""
+    """A device for which only its driver gives limits."""
     said = f' ("{model}")' if model else ""
     return Device(name, _CHAI3D.format(K=K, B=B, file=file, model=said), K=K, B=B)
 
@@ -71,4 +71,4 @@ DEVICES = (
     _driver("Phantom Desktop", "1000", "5", "CPhantomDevices.cpp", "PHANTOM Desktop"),
     _driver("Phantom Premium 3.0", "1000", "5", "CPhantomDevices.cpp", "PHANTOM Premium 3.0 6DOF"),
 )
-"""Those of field studies first, then those of which only the driver's limits are known."""
+"""Devices of field studies, then devices for which only the limits of the driver are known."""

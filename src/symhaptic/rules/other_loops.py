@@ -1,7 +1,7 @@
-"""What rules for other loops than the paper's claim, in SI units: each with its loop.
+"""The claims of the rules for other loops than the paper's, in SI units, each with its loop.
 
-A filter, a virtual mass, a simulator or a counted position is written out here as what a computer
-does from sample to sample; chapters derive the same from the parts in :mod:`symhaptic.loops`.
+A filter, a virtual mass, a simulator or a counted position is written here as the computation from
+sample to sample. Chapters derive the same from the parts in :mod:`symhaptic.loops`.
 """
 
 from __future__ import annotations
@@ -38,27 +38,27 @@ from symhaptic.paper.reading import Printed
 from symhaptic.rules.claims import STABLE, UNITS
 
 POLE = (f_v >= 0, f_v < 1)
-"""An exponential average; f_v = 0 is none."""
+"""The pole of an exponential average; f_v = 0 means no average."""
 
 AVERAGED = Predicate("passive", (z,), (K + B * (1 - f_v) * (z - 1) / (T * (z - f_v)), b / T))
-"""A wall whose damper takes v_k = f_v v_(k-1) + (1 - f_v)(x_k - x_(k-1))/T, without delay."""
+"""A wall with v_k = f_v v_(k-1) + (1 - f_v)(x_k - x_(k-1))/T as velocity, without delay."""
 
 LATE_AVERAGED = Predicate("passive", (z,), (AVERAGED.of[0] * z**-d, b / T))
-"""The same wall behind whole periods of delay."""
+"""The wall with averaged velocity and an integer delay."""
 
 PULLS_NOT = (T > 0, b >= 0, K >= 0)
 
 
 @claims("rules:average-damping")
 def _filtered_damping(printed: Printed) -> Proposition:
-    """Both bounds together say which walls that do not pull are passive."""
+    """A wall with K >= 0 is passive if and only if it meets both bounds."""
     given = [*PULLS_NOT, *POLE]
     return ForAll((K, B, b, T, f_v), implied(given, Iff((both(printed), AVERAGED))))
 
 
 @claims("rules:plain-damping")
 def _undelayed_damping(printed: Printed) -> Proposition:
-    """What makes a wall passive without filter and delay is enough with both."""
+    """The condition without filter and delay is sufficient with both."""
     given = [*PULLS_NOT, *POLE, whole(d), *printed]
     return ForAll((K, B, b, T, f_v, d), implied(given, LATE_AVERAGED))
 
@@ -67,12 +67,12 @@ HEAVY = Predicate("passive", (z,), (K + B * (1 - 1 / z) / T + m_v * (1 - 1 / z) 
 """A wall with a virtual mass: the second difference of the position, without delay."""
 
 FREELY = Predicate("stable", (z,), (z ** (d + 2) + m_v / (2 * m) * (z + 1),))
-"""A free mass under its virtual mass alone fades but for its drift; d periods of delay."""
+"""A free mass with a virtual mass alone comes to rest except for its drift; d periods of delay."""
 
 
 @claims("rules:virtual-mass", "rules:virtual-wall")
 def _virtual_mass(printed: Printed) -> Proposition:
-    """Whatever spring and damper are beside it."""
+    """For every spring and damper of the wall."""
     given = [*PULLS_NOT, B >= 0, m_v >= 0]
     return ForAll((K, B, b, T, m_v), implied(given, Iff((both(printed), HEAVY))))
 
@@ -89,7 +89,7 @@ def _fades(polynomial: Expr) -> Predicate:
 
 
 def all_inside(*step: tuple[Any, ...]) -> Predicate:
-    """What takes a state from sample to sample, in Table I's units, lets every state fade."""
+    """The matrix from sample to sample, in Table I's units, has all eigenvalues inside."""
     moved = z * sp.eye(len(step)) - sp.Matrix(step)
     return _fades(sp.collect(sp.expand(moved.det(method="berkowitz")), z))
 
@@ -100,7 +100,7 @@ SEMI_IMPLICIT = all_inside((1 - alpha, 1 - beta), (-alpha, 1 - beta))
 """v' = v - (alpha x + beta v) and x' = x + v'."""
 
 EXPLICIT = all_inside((1, 1), (-alpha, 1 - beta))
-"""The same with x' = x + v."""
+"""v' = v - (alpha x + beta v) and x' = x + v."""
 
 MEASURED = all_inside((1 - alpha / 2, 1 - beta / 2), (-alpha, 1 - beta))
 """A free mass under the force -(alpha x + beta v), held for a period."""
@@ -109,13 +109,13 @@ MEASURED = all_inside((1 - alpha / 2, 1 - beta / 2), (-alpha, 1 - beta))
 AVERAGING = _fades(
     (z - 1) ** 2 * (z - f_v) + (z + 1) / 2 * (alpha * (z - f_v) + beta * (1 - f_v) * (z - 1))
 )
-"""A free mass at the same wall."""
+"""A free mass at the wall with averaged velocity."""
 
 LOW_PASS = AVERAGING.at({f_v: tau_f / (T + tau_f)})
-"""The average that a low-pass 1/(tau s + 1) becomes by backward Euler."""
+"""The exponential average that corresponds to 1/(tau s + 1) by backward Euler."""
 
 FADING, LAG = sp.symbols("q lag")
-"""exp(-T/tau) and tau/T."""
+"""The symbols for exp(-T/tau) and tau/T."""
 
 FOLLOWING = _fades(
     z * (z - 1) ** 2 * (z - FADING)
@@ -126,7 +126,7 @@ FOLLOWING = _fades(
     )
     * ((alpha + beta) * z - beta)
 )
-"""A free mass at the paper's wall, under a force u with tau u' = F - u."""
+"""A free mass at the paper's wall, with an actuator force u that satisfies tau u' = F - u."""
 
 BEHIND = {FADING: sp.exp(-T / tau_a), LAG: tau_a / T}
 
@@ -143,11 +143,11 @@ SWINGING = _fades(
     )
     * ((alpha + beta) * z - beta)
 )
-"""A mass on a spring, without damping, at the same wall behind the same actuator."""
+"""An undamped mass on a spring, with the same wall and actuator."""
 
 
 def _decides(printed: Printed, stable: Proposition) -> Proposition:
-    """The bounds are met by stable loops and by no others."""
+    """A loop is stable if and only if it meets the bounds."""
     return ForAll((K, B, T, m), implied([T > 0, m > 0], Iff((both(printed), stable))))
 
 
@@ -180,14 +180,14 @@ def _filter_as_delay(printed: Printed) -> Proposition:
 
 @claims("rules:lag-as-delay")
 def _lag_as_delay(printed: Printed) -> Proposition:
-    """What is stable with the lag is within the bound."""
+    """A wall that is stable with the lag meets the bound."""
     given = [*SIMULATED, tau_a > 0, LAGGING]
     return ForAll((K, B, T, m, tau_a), implied(given, both(printed)))
 
 
 @claims("rules:lag-below-delay")
 def _lag_below_delay(printed: Printed) -> Proposition:
-    """Of a mass on a spring, for whole delays, t_d = d T."""
+    """For a mass on a spring and integer delays, t_d = d T."""
     rules = [rule.subs(t_d, d * T) for rule in printed]
     given = [*SIMULATED, k > 0, tau_a > 0, whole(d), *rules, STABLE.at({b: sp.S.Zero})]
     return ForAll((K, B, T, m, k, tau_a, d), implied(given, SWINGING.at(BEHIND)))
@@ -195,24 +195,24 @@ def _lag_below_delay(printed: Printed) -> Proposition:
 
 @claims("rules:both-below-two")
 def _both_below_two(printed: Printed) -> Proposition:
-    """Both simulators are stable, for all that push and damp."""
+    """Both simulators are stable, for all K > 0 and B > 0."""
     then = both([SEMI_IMPLICIT, EXPLICIT])
     return ForAll((K, B, T, m), implied([*SIMULATED, *printed], then))
 
 
 @claims("rules:one-mass")
 def _one_mass(printed: Printed) -> Proposition:
-    """A simulator by semi-implicit Euler is stable, for every damper."""
+    """A simulator with semi-implicit Euler is stable, for every damper."""
     return ForAll((K, B, T, m), implied([*SIMULATED, *printed], SEMI_IMPLICIT))
 
 
 SPRING, WALL = K * y, K * (y + sp.Abs(y)) / 2
-"""The force at a counted position: that of a spring, and that of a wall which only pushes."""
+"""The force at a counted position: of a spring, and of a wall that only pushes."""
 
 
 @claims("rules:counts-and-friction")
 def _counts_and_friction(printed: Printed) -> Proposition:
-    """Both bounds together say which springs are passive, and which walls."""
+    """A spring, or a wall that only pushes, is passive if and only if it meets both bounds."""
     both_ways = [
         Iff((both(printed), Predicate("passive_counted", (y,), (force, b, f_c, T, Delta_x))))
         for force in (SPRING, WALL)
@@ -227,7 +227,7 @@ UNDAMPED = Predicate("passive_wall", (), (K, sp.S.Zero, b, T, d))
 
 @claims("rules:energy-leak", "rules:delay-damping")
 def _undamped(printed: Printed) -> Proposition:
-    """Of a spring that pushes, for every real delay t_d = d T."""
+    """For a spring with K > 0 and every real delay t_d = d T."""
     given = [T > 0, b > 0, d >= 0, K >= 0]
     rules = [rule.subs(t_d, d * T) for rule in printed]
     return ForAll((K, b, T, d), implied(given, Iff((both(rules), UNDAMPED))))

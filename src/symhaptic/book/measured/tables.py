@@ -111,9 +111,9 @@ def calls(rows: list[Row]) -> Table:
     says = (
         "The table gives, for each error, the fastest call that does not exceed it, and the time "
         "per value. The error is the largest one for all ordinary and hard parameters, relative to "
-        "the largest term of the result. No result is NaN. C means exported C code, and digits= "
-        "means a call with this argument. lambdify generates the functions for float32 and for "
-        "mpmath; the name of each mpmath function gives the number of digits."
+        "the largest term of the result. No result is NaN. C stands for exported C code, and "
+        "digits=30 for a call of the package with this argument. The functions for float32 and "
+        "mpmath are those of lambdify; mpmath, 30 computes with 30 digits."
     )
     head = ("function", *(f"to {_power(most)}" for most in ERRORS))
     return Table("Fastest call for a given error", head, tuple(found), len(head), says)

@@ -1,8 +1,8 @@
-"""What each statement claims, as a proposition of what is printed.
+"""The claim of each statement, as a proposition about the published form.
 
-A claim is stated once, of the printed form that it is given: another print makes another claim.
-Where the paper names no domain, all values are meant for which its symbols make sense (Sec. II):
-T, m > 0, b, k, d >= 0, and K and B real.  One file a section of the paper.
+A claim is a function of the published form, so that a changed form gives a changed claim. Where the
+paper names no domain, a claim is for all values for which its symbols make sense (Sec. II): T, m >
+0, b, k, d >= 0, and K and B real. There is one file for each section of the paper.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The claims of Sec. IV-D on larger and smaller regions, read as areas.
 
-A region has less area than another where it lies in a polygon and a polygon of larger area lies in
-the other. All is said of integer delays and numbers for the arm.
+A region has less area than another one if the first lies in a polygon, and a polygon of larger area
+lies in the second. All claims are for integer delays and for arms in numbers.
 """
 
 from __future__ import annotations
@@ -20,24 +20,24 @@ Side: TypeAlias = tuple[Rational, Rational, Rational]
 """p, q and c of the side p alpha + q beta <= c."""
 
 POLYGONS = tomllib.loads(files(__package__).joinpath("polygons.toml").read_text(encoding="utf-8"))
-"""Their corners and sides, as decimals."""
+"""The corners and sides of the polygons, as decimals."""
 
 Corners: TypeAlias = Sequence[Wall]
 
 
 def inner(delay: int) -> tuple[Wall, ...]:
-    """The corners of a polygon of stable walls, counterclockwise."""
+    """Return the corners of a polygon of stable walls, counterclockwise."""
     return tuple((Rational(x), Rational(y)) for x, y in POLYGONS["inner"][str(delay)])
 
 
 def outer(delay: int) -> tuple[Side, ...]:
-    """The sides of a polygon that holds all stable walls, the left one first."""
+    """Return the sides of a polygon that contains all stable walls, the left one first."""
     rest = ((Rational(p), Rational(q), Rational(c)) for p, q, c in POLYGONS["outer"][str(delay)])
     return ((-S.One, S.Zero, STIFF), *rest)
 
 
 def sides(corners: Corners) -> list[Side]:
-    """The sides of a convex polygon whose corners are given counterclockwise."""
+    """Return the sides of a convex polygon from its corners, counterclockwise."""
     found = []
     for (x_1, y_1), (x_2, y_2) in zip(corners, (*corners[1:], corners[0]), strict=True):
         p, q = y_2 - y_1, x_1 - x_2
@@ -49,7 +49,7 @@ def sides(corners: Corners) -> list[Side]:
 
 
 def corners(given: Sequence[Side]) -> tuple[Wall, ...]:
-    """Where neighbouring sides meet."""
+    """Return the corners, at which neighbouring sides meet."""
     found = []
     for (p, q, c), (r, s, u) in zip(given, (*given[1:], given[0]), strict=True):
         size = p * s - q * r
@@ -58,13 +58,13 @@ def corners(given: Sequence[Side]) -> tuple[Wall, ...]:
 
 
 def area(polygon: Corners) -> Rational:
-    """The area of a polygon, by its corners."""
+    """Return the area of a polygon from its corners."""
     pairs = zip(polygon, (*polygon[1:], polygon[0]), strict=True)
     return sum((x * w - v * u for (x, u), (v, w) in pairs), S.Zero) / 2
 
 
 def within(given: Sequence[Side]) -> list[Proposition]:
-    """That (alpha, beta) lies on the inner side of each."""
+    """The wall (alpha, beta) lies on the inner side of each of the sides."""
     return [proposition(Relation(p * alpha + q * beta, "<=", c)) for p, q, c in given]
 
 
@@ -91,10 +91,10 @@ def smaller(delay: int) -> Proposition:
 
 @claims("s4d-delay-shrinks-area")
 def _delay_takes_area(printed: Printed) -> Proposition:
-    """Each period of delay takes area from the region, from d = 0 to 8, for the arm of Fig. 11.
+    """Each period of delay reduces the area of the region, from d = 0 to 8, for the arm of Fig. 11.
 
-    The region of the longer delay lies in a polygon, and a polygon of larger area in that of the
-    shorter delay.
+    The region of the longer delay lies in a polygon, and a polygon of larger area lies in the
+    region of the shorter delay.
     """
     return both(map(smaller, range(LONGEST))).at(ARM)
 
@@ -107,10 +107,10 @@ ENDS = (S.Zero, DAMPED)
 
 
 def moved_by_the_spring() -> Proposition:
-    """Without delay a wall that is stable without a spring, less 0.001 of stiffness, is so with it.
+    """A wall that is stable without a spring is stable with it if alpha is 0.001 less.
 
-    The walls with gamma = 0.001 so fill at least a copy of the region without a spring, moved to
-    the left.  For both ends of the range of delta.
+    This is without delay. So the region with gamma = 0.001 contains the region without a spring,
+    moved to the left. The claim is for both ends of the range of delta.
     """
     free, sprung = stable(0).at({gamma: S.Zero}), stable(0, (alpha - STIFF, beta))
     kept = ForAll((alpha, beta), implied([free], sprung.at({gamma: STIFF})))
@@ -130,7 +130,7 @@ AROUND = (
     (S.One, S.Zero, Rational(722, 1000)),
     (S.Zero, S.One, Rational(203, 100)),
 )
-"""A rectangle that holds all stable walls of (23) without delay."""
+"""A rectangle that contains all stable walls of (23) without delay."""
 HEAVY = {gamma: STIFF / 2, delta: DAMPED / 2}
 """The arm of Figs. 11 and 12 with twice the mass."""
 INSIDE = (
@@ -139,14 +139,14 @@ INSIDE = (
     (Rational(65, 100), Rational(8, 10)),
     (-STIFF / 4, Rational(19, 10)),
 )
-"""Corners of a polygon of walls that are stable with that arm."""
+"""The corners of a polygon of walls that are stable with twice the mass."""
 
 
 def grown_with_the_mass() -> Proposition:
-    """With twice the mass the walls (K, B) fill more area, for the arm of Figs. 11 and 12.
+    """Without delay, twice the mass enlarges the area of the walls (K, B), for the arm of Fig. 11.
 
-    Without delay.  Of the same wall alpha and beta are half as large with twice the mass, so that
-    the area counts four times.
+    For the same wall, alpha and beta are half as large with twice the mass. So an area of the
+    (alpha, beta) plane is four times as large in the (K, B) plane.
     """
     inside, around = holds_polygon(0, INSIDE).at(HEAVY), in_polygon(0, AROUND).at(ARM)
     return both([inside, around, Relation(area(corners(AROUND)), "<", 4 * area(INSIDE))])
@@ -154,9 +154,9 @@ def grown_with_the_mass() -> Proposition:
 
 @claims("s4d-all-stabilising-area")
 def _each_part_adds_area(printed: Printed) -> Proposition:
-    """Spring, damper and mass each add area to the region without delay.
+    """Without delay, spring, damper and mass each enlarge the area of the region or keep it.
 
-    The spring: between the ends of the range of gamma.  The damper: the region holds all walls of
-    the one with less damping.  The mass: where it is doubled.
+    Spring: between the ends of the range of gamma. Damper: the region contains the region for less
+    damping. Mass: if the mass is doubled.
     """
     return both([moved_by_the_spring(), kept_by_the_damper(), grown_with_the_mass()])

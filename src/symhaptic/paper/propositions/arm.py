@@ -1,4 +1,4 @@
-"""The claims of Sec. IV-C: the arm that holds the device, Table II and the ranges made of it."""
+"""The claims of Sec. IV-C: the arm that holds the device, Table II and the ranges (23)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from symhaptic.paper.propositions.prelude import *
 
 ARM = (T, m_D, m_H, b_D, b_H, k_H)
 GIVEN = (T > 0, m_D > 0, m_H > 0, b_D >= 0, b_H >= 0, k_H >= 0)
-"""Arms and devices with masses; without one, (20) divides by zero."""
+"""Arms and devices with a mass; without a mass (20) divides by zero."""
 LONGEST = Rational(1, 1000)
 """The longest sampling period of the paper, in s."""
 x, y, y_D, y_H, k_1, k_2 = sp.symbols("x y y_D y_H k_1 k_2")
@@ -20,9 +20,9 @@ x, y, y_D, y_H, k_1, k_2 = sp.symbols("x y y_D y_H k_1 k_2")
 
 @claims("eq19")
 def _numbers_of_the_arm(printed: Printed) -> Proposition:
-    """What Table I makes of mass, damper and spring if these are those of (2).
+    """The parameters (19) follow from Table I and the mass, damper and spring of (2).
 
-    A device that nobody holds, m_H = b_H = k_H = 0, is one of them.
+    A device without an arm, m_H = b_H = k_H = 0, is included.
     """
     parts = [T > 0, m_D > 0, *(part >= 0 for part in (m_H, b_D, b_H, k_H))]
     rules = [rule for rule in transcribed("tab1") if rule.lhs in (gamma, delta)]
@@ -32,17 +32,21 @@ def _numbers_of_the_arm(printed: Printed) -> Proposition:
 
 @claims("eq20")
 def _bounds_of_the_numbers(printed: Printed) -> Proposition:
-    """Of the numbers of (19), "assuming positive masses and dampers".  A spring may be zero."""
+    """The bounds (20) of the parameters (19), "assuming positive masses and dampers".
+
+    The spring may be zero.
+    """
     given = [*[part > 0 for part in (T, m_D, m_H, b_D, b_H)], k_H >= 0, *transcribed("eq19")]
     return ForAll((*ARM, gamma, delta), implied(given, both(printed)))
 
 
 @claims("s4c-independent-limits")
 def _limits_on_their_own(printed: Printed) -> Proposition:
-    """x limits the arm's stiffness per mass; y_H its damping per mass, y_D that of the device.
+    """Limits x, y_H and y_D of the ratios of arm and device limit gamma and delta.
 
-    What (20) makes of them limits gamma and delta; and where one limit y is for both dampings, it
-    is for delta as well.
+    Here x limits the stiffness per mass of the arm, y_H its damping per mass, and y_D the damping
+    per mass of the device. With (20) they limit gamma and delta. If one limit y holds for both
+    dampings, y also limits delta.
     """
     mine = [k_H / m_H <= x, b_D / m_D <= y_D, b_H / m_H <= y_H]
     then = [gamma <= T**2 * x, delta <= T * (y_D + y_H)]
@@ -53,9 +57,10 @@ def _limits_on_their_own(printed: Printed) -> Proposition:
 
 @claims("s4c-series")
 def _joints_in_series(printed: Printed) -> Proposition:
-    """Two springs, under the same force, of which the ways add up to that of one spring k.
+    """Two springs in series have the stiffness k: the same force, and displacements that add up.
 
-    One of them may stand for all joints but one: so any number of them is meant.
+    One of the two springs may stand for all joints but one, so the claim covers any number of
+    joints.
     """
     given = [k_1 > 0, k_2 > 0, k > 0, sp.Eq(1 / k, 1 / k_1 + 1 / k_2)]
     return ForAll((k, k_1, k_2), implied(given, both([k < k_1, k < k_2])))
@@ -65,7 +70,7 @@ def _joints_in_series(printed: Printed) -> Proposition:
 
 
 def rows(excluded: bool = False) -> Iterator[dict[Symbol, Expr]]:
-    """The arms of Table II in units of kg and s: without the row that is left out, or just it."""
+    """The arms of Table II in kg and s: all but the row that is left out, or only that row."""
     for row in tables.TABLE_II:
         if (row.authors == tables.EXCLUDED) is excluded:
             numbers = [Rational(n) for n in (row.mass, row.stiffness, row.damping)]
@@ -77,7 +82,7 @@ RATIOS = (k_H / m_H, b_H / m_H)
 
 @claims("eq21")
 def _largest_ratios(printed: Printed) -> Proposition:
-    """Each row but the one that is left out meets it, and one of them to the last digit."""
+    """Each row that is kept meets the bound, and one row attains it to the last digit."""
     stiff, slow = (proposition(line) for line in printed)
     bounds = [line.at(row) for row in rows() for line in (stiff, slow)]
     closest = [
@@ -93,7 +98,7 @@ def _largest_ratios(printed: Printed) -> Proposition:
 
 
 def compared(times: Expr = sp.S.One) -> Iterator[tuple[Expr, Expr]]:
-    """Stiffness and damping per mass of each other arm, ``times`` so much, beside the excluded."""
+    """Compare ``times`` the ratios of each other arm with those of the arm that is left out."""
     [hand] = rows(excluded=True)
     for row in rows():
         for ratio in RATIOS:
@@ -105,12 +110,12 @@ def compared(times: Expr = sp.S.One) -> Iterator[tuple[Expr, Expr]]:
 
 @claims("s4c-outlier")
 def _far_above(printed: Printed) -> Proposition:
-    """Far above is taken as three times."""
+    """The ratios exceed those of every other arm by a factor of at least three."""
     return both(sp.StrictLessThan(low, high, evaluate=False) for low, high in compared(sp.S(3)))
 
 
 def in_range(row: dict[Symbol, Expr]) -> list[Expr]:
-    """gamma and delta of an arm alone, at the longest period, beside the upper ends of (23)."""
+    """Compare gamma and delta of an arm alone, at the longest period, with the ends of (23)."""
     _, spring, _, damper = transcribed("eq23")
     at = {second: sp.S.One}
     numbers = [ratio.xreplace(row).xreplace(at) for ratio in RATIOS]
@@ -121,14 +126,14 @@ def in_range(row: dict[Symbol, Expr]) -> list[Expr]:
 
 
 OUTSIDE = Rational(66, 10), Rational(25, 10)
-"""So many times the ends of (23) the stiffness and damping of the arm that is left out are."""
+"""The ratios of stiffness and damping of the arm that is left out to the ends of (23)."""
 
 
 @claims("fig6")
 def _arms_in_the_plane(printed: Printed) -> Proposition:
-    """Of the arms of Table II those of (21) lie in the ranges (23) at 1 ms, the other outside.
+    """At 1 ms the arms of (21) lie in the ranges (23), and the arm that is left out lies outside.
 
-    Its stiffness and its damping are OUTSIDE times the ends of the ranges, or more.
+    The stiffness and damping of this arm are at least OUTSIDE times the ends of the ranges.
     """
     [hand] = rows(excluded=True)
     outside = [
@@ -139,7 +144,7 @@ def _arms_in_the_plane(printed: Printed) -> Proposition:
 
 
 def extended(stiffer: tuple[str, str], slower: tuple[str, str]) -> Proposition:
-    """The ends of (23) over those of (22) at the longest period, between these numbers."""
+    """Ratios of the ends of (23) to those of (22) at the longest period, as intervals."""
     limits = [line.rhs.xreplace({second: sp.S.One}) for line in transcribed("eq22")[1::2]]
     ends = [line.rhs for line in transcribed("eq23")[1::2]]
     parts = []
@@ -150,5 +155,5 @@ def extended(stiffer: tuple[str, str], slower: tuple[str, str]) -> Proposition:
 
 @claims("s4c-extension-30")
 def _wider_by_thirty(printed: Printed) -> Proposition:
-    """30 %, roughly: to the nearest ten."""
+    """The extension is 30 % if it is rounded to the nearest ten per cent."""
     return extended(("1.25", "1.35"), ("1.25", "1.35"))

@@ -18,7 +18,7 @@ from symhaptic.paper.ranges import STIFF as SPRING_END
 
 @claims("s6-human-10000")
 def _springs_against_arms(printed: Printed) -> Proposition:
-    """A spring that swings with the Nyquist frequency has about 10000 times an arm's stiffness."""
+    """A spring at the Nyquist frequency is about 10000 times as stiff as an arm."""
     swings = SWINGS.at({omega: sp.pi / T})
     [about] = quoted("s5c-human-10000")
     times = number(about)
@@ -29,9 +29,9 @@ def _springs_against_arms(printed: Printed) -> Proposition:
 
 @claims("s6-sampling")
 def _linear_and_quadratic_in_the_rate(printed: Printed) -> Proposition:
-    """At y times the rate y K is passive where K was, and K' = y^2 K with B' = y B stable.
+    """At y times the rate, y K is passive if K is, and y^2 K with y B is stable if K, B is.
 
-    Passive is what meets (5).  Arm and device are the same, m, b and k.
+    Passive means that the wall meets (5). Arm and device are the same, m, b and k.
     """
     walls = at_every_frequency(FIVE)
     passive = Iff((walls, walls.at({K: y * K, T: T / y})))
@@ -44,9 +44,9 @@ def _linear_and_quadratic_in_the_rate(printed: Printed) -> Proposition:
 
 @claims("s6-mass")
 def _mass_scales_stability_alone(printed: Printed) -> Proposition:
-    """A wall is stable where the one grown like the mass is; passive with both masses or none.
+    """Walls scale with the mass for stability, and do not depend on it for passivity.
 
-    That is K' = (m'/m) K and B' = (m'/m) B, with the same damper and spring, b and k.
+    The scaled wall is K' = (m'/m) K and B' = (m'/m) B, with the same damper and spring, b and k.
     """
     after = in_units(STIFFER, STRONGER, T, HEAVY, b, k)
     stable = Iff((in_units(K, B, T, m, b, k), after))
@@ -59,10 +59,9 @@ def _mass_scales_stability_alone(printed: Printed) -> Proposition:
 
 @claims("s6-performance")
 def _stiffness_per_mass_is_kept(printed: Printed) -> Proposition:
-    """Performance is K/m, as the paper says: where both grow equally K'/m' = K/m.
+    """Performance is K/m, as in the paper: if both grow by the same factor, K'/m' = K/m.
 
-    And nothing else is gained: with damper, spring and B in the same proportion the wall is
-    stable where it was.
+    Nothing else changes: with damper, spring and B in the same proportion, stability is the same.
     """
     grown = HEAVY / m
     after = in_units(STIFFER, B * grown, T, HEAVY, b * grown, k * grown)
@@ -92,14 +91,16 @@ CHANGES = {
         SPRING_END: ("3.926", "7.185", "10.759", "14.484", "18.368", "22.435", "26.712", "31.234"),
     },
 }
-"""By how much per cent the largest stable stiffness differs between the ends of the range of one
-parameter, for the ends of the other one and d = 0 to 7; decimals cut off."""
+"""Relative differences of the largest stable stiffness between the ends of one range, in per cent.
+
+The differences are for both ends of the other range and d = 0 to 7, with truncated decimals.
+"""
 
 
 def changed(parameter: Symbol, other: Expr, delay: int) -> Proposition:
-    """The larger of the largest stiffnesses at both ends over the smaller one, in two inequalities.
+    """The ratio of the larger to the smaller of the two largest stiffnesses, in two inequalities.
 
-    Without a spring the stiffness is larger, and with a damper.
+    The stiffness is larger without a spring, and with a damper.
     """
     digits = CHANGES[parameter][other][delay]
     low = 1 + Rational(digits) / 100
@@ -113,7 +114,7 @@ def changed(parameter: Symbol, other: Expr, delay: int) -> Proposition:
 
 
 def changes(parameter: Symbol) -> Proposition:
-    """All changes with one parameter."""
+    """The changes with one parameter."""
     rows = CHANGES[parameter]
     return both(
         changed(parameter, other, n) for other, row in rows.items() for n in range(len(row))
@@ -122,18 +123,18 @@ def changes(parameter: Symbol) -> Proposition:
 
 @claims("s6-damping-marginal")
 def _what_the_damper_adds(printed: Printed) -> Proposition:
-    """By how much delta = 0.02 raises the largest stable stiffness of delta = 0, for d = 0 to 7.
+    """The increase of the largest stable stiffness from delta = 0 to 0.02, for d = 0 to 7.
 
-    For both ends of the range of gamma.
+    The claim is for both ends of the range of gamma.
     """
     return changes(delta)
 
 
 @claims("s6-stiffness-marginal")
 def _what_the_spring_takes(printed: Printed) -> Proposition:
-    """By how much gamma = 0 raises the largest stable stiffness of gamma = 0.001, for d = 0 to 7.
+    """The increase of the largest stable stiffness from gamma = 0.001 to 0, for d = 0 to 7.
 
-    For both ends of the range of delta.
+    The claim is for both ends of the range of delta.
     """
     return changes(gamma)
 
@@ -142,15 +143,15 @@ FACTOR = Symbol("c")
 
 
 def within_a_factor(best: Proposition, others: Proposition) -> Proposition:
-    """Some stable wall is not outdone by more than some factor."""
+    """Some stable wall is exceeded by no other wall by more than some factor."""
     return Exists((FACTOR,), both([FACTOR > 0, outdoes(best, others, alpha < FACTOR * x)]))
 
 
 @claims("s6-damping-any-delay")
 def _damper_matters_by_a_factor(printed: Printed) -> Proposition:
-    """On (23) a damper raises the largest stable stiffness by some factor; d is whole.
+    """Some factor bounds the effect of a damper of (23) on the largest stable stiffness.
 
-    Both with the same spring.
+    Both loops have the same spring, and d is an integer.
     """
     undamped = stable(d, BEST).at({delta: S.Zero})
     given = [*transcribed("eq23"), whole(d)]
@@ -159,9 +160,10 @@ def _damper_matters_by_a_factor(printed: Printed) -> Proposition:
 
 @claims("s6-stiffness-any-delay")
 def _spring_matters_by_a_factor(printed: Printed) -> Proposition:
-    """On (23) a spring changes the largest stable stiffness by some factor, with every delay.
+    """Some factor bounds the effect of a spring of (23) on the largest stable stiffness.
 
-    Up or down, and both with the same damper.  The delay is whole.
+    The factor bounds increase and decrease, for every integer delay; both loops have the same
+    damper.
     """
     free = {gamma: S.Zero}
     with_it = within_a_factor(stable(d, BEST).at(free), stable(d))
@@ -171,18 +173,18 @@ def _spring_matters_by_a_factor(printed: Printed) -> Proposition:
 
 
 FASTER = Symbol("q")
-"""How many times as fast is sampled."""
+"""The factor of the sampling rate."""
 LITTLE = Rational(5, 4)
-"""What is at most a quarter more is not significantly more."""
+"""An increase by at most a quarter is not significant."""
 
 
 @claims("s6-faster-sampling")
 def _faster_sampling_gains_little(printed: Printed) -> Proposition:
-    """Sampled q times as fast at the same delay, a wall is at most a quarter stiffer than some now.
+    """Sampling q times as fast at the same delay raises the stiffness by at most a quarter.
 
-    Said of passive and of stable walls.  The delay outweighs the hold of half a period, 1 < 2 d.
-    In the units of the faster sampling K is q^2 alpha, and the same device has gamma/q^2, delta/q,
-    and the delay q d.  The device is one of (23), delay and q are whole.
+    The claim is for passive and for stable walls. The delay outweighs the half period of the hold,
+    1 < 2 d. In the units of the faster sampling, K is q^2 alpha, and the same device has gamma/q^2,
+    delta/q and the delay q d. The device is one of (23); the delay and q are integers.
     """
     later = {gamma: gamma / FASTER**2, delta: delta / FASTER, d: FASTER * d}
     then = FASTER**2 * alpha <= LITTLE * x

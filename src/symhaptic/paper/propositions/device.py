@@ -1,7 +1,7 @@
 """The claims of Sec. II and IV-A to IV-C: wall, delay, device and arm.
 
-What (12) calls the discrete equivalent is said of every z: a force z^k that is held during period
-k moves the device at sample k to X z^k, and X is the equivalent at z.  Poles are left out by that:
+The discrete equivalent of (12) is a claim for every z: a force z^k that is held during period k
+moves the device at sample k to X z^k, and X is the equivalent at z. This excludes poles, because
 there is no such X.
 """
 
@@ -19,7 +19,7 @@ p, q = Symbol("p"), Symbol("q")
 
 
 def whole(value: Expr) -> Predicate:
-    """``value`` is a whole number, zero included."""
+    """``value`` is an integer that is not negative."""
     return Predicate("whole", (), (value,))
 
 
@@ -32,7 +32,7 @@ PLANT = transcribed("eq12")[0].lhs
 
 
 def answers(response: Expr, answer: Expr, period: Expr = T) -> Predicate:
-    """``answer`` is what a device with this transfer function answers to a held force z^k."""
+    """``answer`` is the response of a device with this transfer function to a held force z^k."""
     return Predicate("answers", (s,), (response, z, answer, period))
 
 
@@ -42,7 +42,7 @@ def normalised(*symbols: Symbol) -> list[Expr]:
 
 
 def held(symbols: Sequence[Symbol], given: Sequence[object], then: object) -> Proposition:
-    """For every device, period and z, and X the answer of the device."""
+    """A claim for every device, period and z, where X is the response of the device."""
     over = (*DEVICE, *symbols, z, X)
     return ForAll(over, implied([*GIVEN, *given, answers(PLANT, X)], then))
 
@@ -52,7 +52,7 @@ def held(symbols: Sequence[Symbol], given: Sequence[object], then: object) -> Pr
 
 @claims("eq12")
 def _sampled_device(printed: Printed) -> Proposition:
-    """With (13) the right side is the answer of the device on the left."""
+    """With (13), the right side is the response of the device on the left."""
     [line] = printed
     then = Relation(X, "=", line.rhs)
     given = [*GIVEN, *transcribed("eq13"), answers(line.lhs, X)]
@@ -61,7 +61,7 @@ def _sampled_device(printed: Printed) -> Proposition:
 
 @claims("eq14")
 def _sampled_device_in_units(printed: Printed) -> Proposition:
-    """The same with Table I and (15)."""
+    """The claim of (12) in the parameters of Table I, with (15)."""
     [line] = printed
     given = [*GIVEN, *normalised(gamma, delta), *transcribed("eq15"), answers(line.lhs, X)]
     over = (*DEVICE, gamma, delta, *NUMBERS, z, X)
@@ -70,7 +70,7 @@ def _sampled_device_in_units(printed: Printed) -> Proposition:
 
 @claims("eq15")
 def _abbreviations(printed: Printed) -> Proposition:
-    """With Table I the numbers of (13) are these."""
+    """In the parameters of Table I, the abbreviations (13) are these."""
     given = [*GIVEN, *normalised(gamma, delta), *transcribed("eq13")]
     over = (*DEVICE, gamma, delta, *NUMBERS)
     return ForAll(over, implied(given, both(printed)))
@@ -78,7 +78,7 @@ def _abbreviations(printed: Printed) -> Proposition:
 
 @claims("s4a-delay-equivalent")
 def _sampled_delay(printed: Printed) -> Proposition:
-    """Before the device, the left side is the right side before its samples; T_s is a length."""
+    """In front of the device, the left side is the right side after the samples; T_s is a time."""
     [line] = printed
     given = [d >= 0, T_s > 0, answers(line.lhs * PLANT, X_d)]
     return held((d, T_s, X_d), given, Relation(X_d, "=", line.rhs * X))
@@ -86,20 +86,21 @@ def _sampled_delay(printed: Printed) -> Proposition:
 
 @claims("s2c-positive-delay")
 def _not_negative(printed: Printed) -> Proposition:
-    """By t_d >= 0, and in periods; zero is allowed, as in Fig. 7."""
+    """The delay t_d >= 0 is not negative in periods either; zero is allowed, as in Fig. 7."""
     return ForAll((t_d, T), implied([t_d >= 0, T > 0], t_d / T >= 0))
 
 
 SUBSTITUTED = (p, q, alpha, beta, n_1, n_0, a, e)
-"""A delay of p/(q + 1) periods, a wall and a device in the units of Table I."""
+"""A delay of p/(q + 1) periods, a wall and a device, in the parameters of Table I."""
 
 
 @claims("s2c-rational-delay")
 def _rational_delay(printed: Printed) -> Proposition:
-    """With d = p/(q + 1) and z = w^(q + 1), z^-d is w^-p; and that is an approximation.
+    """With d = p/(q + 1) and z = w^(q + 1), z^-d is w^-p; this is an approximation.
 
-    The polynomial of the loop then has whole exponents only, p + 3 (q + 1) the highest.  And some
-    device does not answer a force that is held d periods later by z^-d times its undelayed answer.
+    The polynomial of the loop then has integer exponents only, with the highest one p + 3 (q + 1).
+    For some device, the response to a held force that is delayed by d periods is not z^-d times the
+    undelayed response.
     """
     fine = w ** (q + 1)
     below, above = fine**2 - a * fine + e, n_1 * fine + n_0
@@ -110,14 +111,14 @@ def _rational_delay(printed: Printed) -> Proposition:
 
 
 def approximated() -> list[Proposition]:
-    """z^-d is not what the delay of a held force does to the answer of a device."""
+    """The response of a device to a delayed held force is not z^-d times the undelayed response."""
     given = [*GIVEN, d >= 0, answers(PLANT, X), answers(delayed(PLANT), X_d)]
     return [*map(proposition, given), Relation(X_d, "!=", z**-d * X)]
 
 
 @claims("s4a-exact-instants")
 def _exact_at_the_samples(printed: Printed) -> Proposition:
-    """The loop with the delay answers a held external force as that with z^-d in its place."""
+    """The loop has the same response to a held external force with z^-d in place of the delay."""
     real, replaced = 1 + X_d * WALL, 1 + z**-d * X * WALL
     apart = [Relation(gain, "!=", sp.S.Zero) for gain in (real, replaced)]
     given = [d >= 0, answers(delayed(PLANT), X_d), *apart]
@@ -125,14 +126,14 @@ def _exact_at_the_samples(printed: Printed) -> Proposition:
 
 
 def delayed(response: Expr, late: Expr = d * T) -> Expr:
-    """The transfer function with a delay."""
+    """The transfer function of a delay."""
     return sp.exp(-late * s) * response
 
 
 def closed_loop(transfer: Expr, top: Expr, bottom: Expr, late: Expr = d) -> Proposition:
-    """G_x is X/(1 + X_d H): position over the external force, which is held like the wall's.
+    """G_x is X/(1 + X_d H): position over the external force, which is also held.
 
-    X_d is the answer to the force of the wall, which comes d periods late.
+    X_d is the response to the force of the wall, which is delayed by d periods.
     """
     n, p = (function(name)(z) for name in ("n", "p"))
     form = transfer.xreplace({n: top, p: bottom}).xreplace({d: late})
@@ -157,13 +158,13 @@ def _side(id: str) -> Expr:
 
 @claims("eq16")
 def _closed_loop(printed: Printed) -> Proposition:
-    """With n of (17) and p of (18)."""
+    """The closed loop with n of (17) and p of (18)."""
     return closed_loop(printed[0].rhs, _side("eq17"), _side("eq18"))
 
 
 @claims("eq17")
 def _numerator(printed: Printed) -> Proposition:
-    """n is the numerator of (16).  It does not hold the delay: (16) is read without one."""
+    """n is the numerator of (16). It does not contain the delay, so (16) is read without delay."""
     return closed_loop(_side("eq16"), printed[0].rhs, _side("eq18"), sp.S.Zero)
 
 
@@ -180,11 +181,12 @@ def _characteristic_polynomial(printed: Printed) -> Proposition:
 def _delays_add_up(printed: Printed) -> Proposition:
     """A loop with several delays has the characteristic equation of their sum d.
 
-    d_1 periods pass before a force acts and d_2 before a position is read, whole or not; l whole
-    ones while the force is computed.  X is the answer of the device behind d_1 and d_2, so that the
-    loop has the equation 1 + X z^-l H(z) = 0, and X_d that behind d.  And the polynomial of (18),
-    of a device (n_1 z + n_0)/(z^2 - a z + e) in the units of Table I, is that for d_1 + d_2 where
-    z^-d_1 stands in the wall and z^-d_2 at the device, cleared of the divisors.
+    The force is delayed by d_1 periods, the reading of the position by d_2, and the computation
+    takes l periods; d_1 and d_2 are real, and l is an integer. X is the response of the device with
+    the delays d_1 and d_2, so that the loop has the equation 1 + X z^-l H(z) = 0. X_d is the
+    response with the delay d. For a device (n_1 z + n_0)/(z^2 - a z + e) in the units of Table I,
+    with z^-d_1 at the wall and z^-d_2 at the device, the polynomial without divisors is (18) for
+    d_1 + d_2.
     """
     given = [
         *(delay >= 0 for delay in (d_1, d_2)),
@@ -206,7 +208,7 @@ def _delays_add_up(printed: Printed) -> Proposition:
 
 @claims("s2d-arm-in-force")
 def _arm_in_the_force(printed: Printed) -> Proposition:
-    """The motion of (2) under F_E is that of (3) under F_E less what the arm needs, at every s."""
+    """(2) with F_E and (3) with F_E less the force on the arm give the same motion, for every s."""
     held, free = ({line.lhs: line.rhs for line in transcribed(id)} for id in ("eq2", "eq3"))
     need = m * s**2 + b * s + k
     arm = (m_H * s**2 + b_H * s + k_H) * X
@@ -226,9 +228,9 @@ UNIT_PLANT = 1 / (s**2 + delta * s + gamma)
 
 @claims("s4b-seven-to-five")
 def _seven_to_five(printed: Printed) -> Proposition:
-    """A loop answers as the one of mass and period 1 with the five numbers of Table I, in units.
+    """A loop is equivalent to the loop of mass and period 1 with the five numbers of Table I.
 
-    The wall is in units of m/T^2, and so is 1/X.
+    The wall and 1/X are in units of m/T^2.
     """
     unit = alpha + beta * (z - 1) / z
     scaled = answers(delayed(UNIT_PLANT, d), m / T**2 * X, sp.S.One)
@@ -248,7 +250,7 @@ SECOND = {v: Symbol(f"{v.name}_2") for v in (*DEVICE, K, B, t_d)} | {X: X_d}
 def _five_parameters(printed: Printed) -> Proposition:
     """Two loops with the same five numbers have the same product of device, delay and wall.
 
-    p(z) vanishes where that is -1.
+    p(z) vanishes where this product is -1.
     """
     table = normalised(d, *TABLE_SYMBOLS)
     sides = [*GIVEN, t_d >= 0, *table, answers(delayed(PLANT, t_d), X)]
@@ -260,7 +262,7 @@ def _five_parameters(printed: Printed) -> Proposition:
 
 @claims("s4d-degree")
 def _degree(printed: Printed) -> Proposition:
-    """p of (18), for every device and delay."""
+    """The degree of p of (18), for every device and delay."""
     given = [gamma >= 0, delta >= 0, d >= 0, *transcribed("eq15")]
     degree = Predicate("degree", (z,), (_side("eq18"), d + 3))
     return ForAll((alpha, beta, gamma, delta, d, *NUMBERS), implied(given, degree))

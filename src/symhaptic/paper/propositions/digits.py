@@ -1,6 +1,6 @@
-"""Numbers that the text quotes, as they stand in a claim: taken from the transcription.
+"""Numbers that the text quotes, taken from the transcription.
 
-They are typed once, where the statement is, and no claim has a number of its own in their place.
+They are typed only once, in the statement; no claim contains a copy.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from symhaptic.paper.reading import read
 
 
 def quoted(id: str) -> tuple[Quoted, ...]:
-    """The numbers that a statement quotes, in its order."""
+    """Return the numbers that a statement quotes, in their order."""
     return STATEMENTS[id].quoted
 
 

@@ -1,4 +1,4 @@
-"""The claims of the words far higher, clearly larger and much smaller: by how much, in numbers."""
+"""The claims of the words far higher, clearly larger and much smaller, with numbers."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ RATIOS = {
         40: "1.000181",
     },
 }
-"""The largest stable over the largest passive stiffness for delta = 0.02, decimals cut off."""
+"""Ratio of the largest stable to the largest passive stiffness for delta = 0.02, truncated."""
 UNIT = Rational(1, 10**6)
 
 
@@ -38,7 +38,7 @@ def stiffer_than_passive() -> Proposition:
 
 
 def between(spring: Rational, delay: int) -> Proposition:
-    """The ratio for one arm and delay lies between two neighbouring decimals."""
+    """The ratio for one arm and one delay lies between two neighbouring decimals."""
     low = Rational(RATIOS[spring][delay])
     more = outdoes(stable(delay, BEST), passive(delay), low * alpha < x)
     less = outdoes(passive(delay, BEST), stable(delay), alpha < (low + UNIT) * x)
@@ -47,7 +47,7 @@ def between(spring: Rational, delay: int) -> Proposition:
 
 @claims("s0-far-higher", "s5b-clearly-larger")
 def _by_how_much(printed: Printed) -> Proposition:
-    """Some stable wall is at least as stiff as all passive ones; and how many times, in numbers.
+    """Some stable wall is at least as stiff as all passive walls, and the ratio has these bounds.
 
     The numbers are for the arms of Fig. 12, delta = 0.02 without a spring and with gamma = 0.001,
     and for six integer delays.
@@ -57,15 +57,15 @@ def _by_how_much(printed: Printed) -> Proposition:
 
 
 SIZES = {0: 100, 1: 41, 2: 27, 4: 16, 8: 9}
-"""More than so many times as damped as all passive walls are some stable ones, in Fig. 11."""
+"""Lower bounds of the ratio of stable to passive damping, in Fig. 11."""
 
 
 @claims("s5a-much-smaller")
 def _dimensions_of_the_regions(printed: Printed) -> Proposition:
-    """In stiffness and in damping, for the arm and the five integer delays of Fig. 11.
+    """The ratios of stiffness and damping, for the arm and the five integer delays of Fig. 11.
 
-    The ratio of the stiffnesses lies between two decimals.  Of the dampings some stable wall is
-    that many times as damped as all passive ones.
+    The ratio of the stiffnesses lies between two decimals. Some stable wall has more than the given
+    multiple of the largest passive damping.
     """
     parts = []
     for delay, times in SIZES.items():
@@ -75,11 +75,11 @@ def _dimensions_of_the_regions(printed: Printed) -> Proposition:
 
 
 LEFT = {(STIFF, DAMPED): "0.21654783", (S.Zero, S.Zero): "0.21050726"}
-"""The largest stable stiffness at d = 1 over that at d = 0, of two arms, decimals cut off."""
+"""Ratio of the largest stable stiffness at d = 1 to that at d = 0, for two arms, truncated."""
 
 
 def left_by_one_period() -> Proposition:
-    """The share of the stable stiffness that one period of delay leaves, between two decimals."""
+    """The share of the stable stiffness at one period of delay lies between two decimals."""
     parts = []
     for (spring, damper), digits in LEFT.items():
         low, unit = Rational(digits), Rational(1, 10**8)

@@ -1,8 +1,8 @@
-"""The claims of Sec. IV-E on the error (26) of the linear condition, beside the exact boundary.
+"""The claims of Sec. IV-E on the error (26) of the linear condition along the exact boundary.
 
-The error compares stiffnesses at the same damping: a wall is on the boundary where it is not stable
-and all that are softer, down to alpha = -gamma, are.  Said of the delays of Fig. 10, d = 0 and
-d = 1, and for all arms of (23).
+The error compares stiffnesses at the same damping. A wall is on the boundary if it is not stable,
+and all walls with less stiffness, down to alpha = -gamma, are stable. The claims are for the delays
+of Fig. 10, d = 0 and d = 1, and for all arms of (23).
 """
 
 from __future__ import annotations
@@ -20,44 +20,44 @@ from symhaptic.paper.ranges import DAMPED
 ARMS = tuple(map(proposition, transcribed("eq23")))
 """The ranges of gamma and delta."""
 LATER = sp.symbols("alpha_1 beta_1")
-"""A wall further along the boundary."""
+"""A wall farther along the boundary."""
 LEVEL = Rational(2, 100)
 
 
 def on_boundary() -> Proposition:
-    """A wall with alpha > -gamma is not stable, and all that are softer are."""
+    """A wall with alpha > -gamma is not stable, and all less stiff walls are stable."""
     softer = implied([-gamma < x, x < alpha], STABLE.at({alpha: x}))
     return both([-gamma < alpha, Not((STABLE,)), ForAll((x,), softer)])
 
 
 def on_boundary_at(delay: int) -> Proposition:
-    """The same for a delay of so many periods."""
+    """A wall is on the boundary for this delay in periods."""
     return on_boundary().at({d: S(delay)})
 
 
 @cache
 def error(delay: Expr | int = d) -> Expr:
-    """(alpha_lin - alpha)/(alpha + gamma), whose size is (26); alpha_lin is on the line of (25)."""
+    """(alpha_lin - alpha)/(alpha + gamma), with alpha_lin on the line; its magnitude is (26)."""
     signed: Expr = (on_the_line_of_25(alpha) - alpha) / (alpha + gamma)
     return signed.subs(d, delay)
 
 
 @cache
 def size(delay: Expr | int = d) -> Expr:
-    """(26), as it is printed."""
+    """(26), as published."""
     [printed] = transcribed("eq26")
     return sp.sympify(printed).xreplace({alpha_lin: on_the_line_of_25(alpha)}).subs(d, delay)
 
 
 def beside(of: Expr) -> Expr:
-    """The same of the other wall."""
+    """The error of the other wall."""
     return of.subs(dict(zip((alpha, beta), LATER, strict=True)), simultaneous=True)
 
 
 def rises() -> Proposition:
-    """Of two walls on the boundary that with more damping has the larger error, and less than 2 %.
+    """Of two walls on the boundary, the one with more damping has the larger error, below 2 %.
 
-    As long as that damping is not positive.
+    The claim is for virtual damping that is not positive.
     """
     _, damping = LATER
     given = [*ARMS, beta < damping, damping <= 0]
@@ -74,7 +74,7 @@ def rises() -> Proposition:
 SMALL, NEAR = Rational(3, 100), Rational(1, 10)
 """Up to this alpha, which no device that the paper names exceeds, and to this beta."""
 CONSTANT = 3
-"""Of the terms of second order."""
+"""The factor of the terms of second order."""
 
 
 def second_order(delay: int) -> tuple[Relation, Relation]:
@@ -87,10 +87,11 @@ def second_order(delay: int) -> tuple[Relation, Relation]:
 
 @claims("s4e-linearised")
 def _line_for_small_numbers(printed: Printed) -> Proposition:
-    """Near the origin, alpha and beta small, the boundary is the line of (25) but for second order.
+    """Near the origin the boundary differs from the line of (25) by terms of second order.
 
-    What is left is at most 3 (alpha + gamma)^2 above and 3 (delta + gamma) (alpha + 2 gamma) below.
-    For all arms of (23), both delays of Fig. 10 and alpha up to the 0.03 of Sec. IV-E.
+    The difference is at most 3 (alpha + gamma)^2 above and 3 (delta + gamma) (alpha + 2 gamma)
+    below. The claim is for all arms of (23), both delays of Fig. 10 and alpha up to the 0.03 of
+    Sec. IV-E.
     """
     every = [implied([on_boundary_at(n)], both(second_order(n))) for n in LATE]
     given = [*ARMS, alpha <= SMALL, beta <= NEAR]
@@ -98,11 +99,11 @@ def _line_for_small_numbers(printed: Printed) -> Proposition:
 
 
 UNITS = {alpha: K * T**2 / m, beta: B * T / m, gamma: k * T**2 / m, delta: b * T / m}
-"""The numbers of Table I."""
+"""The parameters of Table I."""
 
 
 def left_of_line(delay: int) -> tuple[Relation, Relation]:
-    """b + B - K (t_d + T/2) lies between two numbers of order T, where K T <= y."""
+    """b + B - K (t_d + T/2) lies between two numbers of order T, if K T <= y."""
     [line] = transcribed("eq24")
     surplus = b + B - K * sp.denom(line.rhs).subs(t_d, delay * T)
     above = CONSTANT * (y + k * T) ** 2 * T / m
@@ -113,8 +114,8 @@ def left_of_line(delay: int) -> tuple[Relation, Relation]:
 def short_periods() -> Proposition:
     """For T to zero, with K T <= y and t_d = d T, the boundary tends to the line of (24).
 
-    What is left is of order T.  Said of d = 0 and d = 1, from a period on at which the loop is near
-    the origin and the arm one of (23).
+    The difference is of order T. The claim is for d = 0 and d = 1, and for periods so short that
+    the loop is near the origin and the arm is one of (23).
     """
     short = [y * T <= SMALL * m, NEAR * m >= B * T, k * T**2 <= STIFF * m, b * T <= DAMPED * m]
     given = [T > 0, m > 0, b >= 0, k >= 0, y >= K * T, *short]
@@ -123,49 +124,49 @@ def short_periods() -> Proposition:
 
 
 PUSHING = (alpha >= 0, beta < 0)
-"""Walls that do not pull, with a negative virtual damping."""
+"""Walls with K >= 0 and a negative virtual damping."""
 THRESHOLD = Rational(15, 1000)
-"""The damping that the paper names."""
+"""The damping that the paper gives."""
 
 
 def far() -> Exists:
-    """For some such wall on the boundary (26) exceeds 2 per cent."""
+    """For some wall on the boundary with alpha >= 0 and beta < 0, (26) exceeds 2 per cent."""
     return Exists((alpha, beta), both([on_boundary(), *PUSHING, size() > LEVEL]))
 
 
 def far_in_the_corner() -> Exists:
-    """For some wall on the boundary with beta < 0 (26) exceeds 2 per cent."""
+    """For some wall on the boundary with beta < 0, (26) exceeds 2 per cent."""
     return Exists((alpha, beta), both([on_boundary(), beta < 0, size() > LEVEL]))
 
 
 @claims("s4e-two-percent")
 def _far_for_negative_damping(printed: Printed) -> Proposition:
-    """Beyond the damping that is named the error exceeds 2 per cent for some wall with beta < 0.
+    """Above the given damping the error exceeds 2 per cent for some wall with beta < 0.
 
-    Beside the spring of Fig. 10, for each damping of (23) beyond it, and for both of its delays.
+    The claim is for the spring of Fig. 10, for each larger damping of (23), and for both delays.
     """
     every = both(far_in_the_corner().at({gamma: STIFF, d: S(n)}) for n in LATE)
     return ForAll((delta,), implied([delta > THRESHOLD, delta <= DAMPED], every))
 
 
 def corner() -> Proposition:
-    """The same for every arm with spring and damper."""
+    """The error exceeds 2 per cent in the corner for every arm with spring and damper."""
     every = both(far_in_the_corner().at({d: S(n)}) for n in LATE)
     return ForAll((gamma, delta), implied([*ARMS, gamma > 0, delta > 0], every))
 
 
 BETWEEN = {0: (Rational(1743, 10**5), Rational(1744, 10**5))}
 BETWEEN |= {1: (Rational(1480, 10**5), Rational(1481, 10**5))}
-"""Dampings between which the error comes to exceed 2 per cent, gamma = 0.001."""
+"""Intervals of the damping above which the error exceeds 2 per cent, for gamma = 0.001."""
 
 
 def nowhere() -> Proposition:
-    """For no such wall on the boundary (26) exceeds 2 per cent."""
+    """For no wall on the boundary with alpha >= 0 and beta < 0, (26) exceeds 2 per cent."""
     return ForAll((alpha, beta), implied([on_boundary(), *PUSHING], size() <= LEVEL))
 
 
 def threshold() -> Proposition:
-    """With the spring of Fig. 10 it does so from some damping on, for each of its delays."""
+    """With the spring of Fig. 10 the error exceeds 2 per cent above one damping, for each delay."""
     every = []
     for n, (low, high) in BETWEEN.items():
         arm = {gamma: STIFF, d: S(n)}
@@ -175,9 +176,9 @@ def threshold() -> Proposition:
 
 
 HALF_WAY = Rational(1, 20)
-"""The largest level of Fig. 10."""
+"""The largest error that Fig. 10 marks."""
 RANGE = {0: Rational(9, 100), 1: Rational(26, 1000)}
-"""Up to this alpha the error stays below it, for each delay of Fig. 10."""
+"""The alpha up to which the error stays below this level, for each delay of Fig. 10."""
 
 
 def close(delay: int) -> Proposition:
@@ -190,7 +191,7 @@ def close(delay: int) -> Proposition:
 def _small_over_a_range(printed: Printed) -> Proposition:
     """The error is at most 5 per cent on the boundary near the origin, for all arms of (23).
 
-    Of a wall with more virtual damping than 0.1 nothing is said.
+    The claim excludes walls with a virtual damping of more than 0.1.
     """
     given = [*ARMS, beta <= NEAR]
     return ForAll((alpha, beta, gamma, delta), implied(given, both(map(close, LATE))))

@@ -1,7 +1,7 @@
-"""The claim of Sec. V that one delta describes a held device, for passivity and for stability.
+"""The claim of Sec. V that one delta describes a device with an arm, for passivity and stability.
 
-By (2) the mass and the damping of Table I are those of device and arm.  By (3) the damping that
-counts for passivity is that of the device alone.
+By (2), the mass and damping of Table I are those of device and arm. By (3), only the damping of the
+device counts for passivity.
 """
 
 from __future__ import annotations
@@ -17,46 +17,46 @@ from symhaptic.paper.ranges import DAMPED
 
 MASS = m_D + m_H
 OWN, WHOLE = T * b_D / MASS, T * (b_D + b_H) / MASS
-"""The damping of the device alone, and of device and arm, in the units of Table I."""
+"""The damping of the device alone, and of device and arm, in the parameters of Table I."""
 SPRING = T**2 * k_H / MASS
 UNITS = {alpha: K * T**2 / MASS, beta: B * T / MASS}
-"""The wall in the units of Table I, with the mass of (2)."""
+"""The wall in the parameters of Table I, with the mass of (2)."""
 HAND = (T, m_D, m_H, b_D, b_H)
 HELD = [T > 0, m_D > 0, *(part >= 0 for part in (m_H, b_D, b_H)), d >= 0]
 """A device and an arm; without an arm m_H = b_H = 0."""
 
 MEETS = at_every_frequency(FIVE).at({b: b_D})
-"""The wall meets (5) with the damping of (3), that of the device alone."""
+"""The wall meets (5) with the damping b_D of the device alone, by (3)."""
 
 
 def drawn(damping: Expr = WHOLE, scale: Expr = S.One) -> Proposition:
-    """The wall, ``scale`` times as large, meets (5) in the units of Table I with this delta."""
+    """``scale`` times the wall meets (5) in the parameters of Table I with this delta."""
     return passive().at({s: scale * v for s, v in UNITS.items()}).at({delta: damping})
 
 
 @claims("one-delta")
 def _one_delta(printed: Printed) -> Proposition:
-    """A wall of a held device meets (5) in the plane of Table I where it meets (5) with (3)."""
+    """A wall meets (5) with the delta of device and arm if and only if it meets (5) with (3)."""
     return ForAll((*HAND, K, B, d), implied(HELD, Iff((drawn(), MEETS))))
 
 
 def instead() -> Proposition:
-    """With delta_D of the device alone it is so, and passive walls stay stable."""
+    """The claim is true with delta_D of the device alone, and passive walls stay stable."""
     right = ForAll((*HAND, K, B, d), implied(HELD, Iff((drawn(OWN), MEETS))))
     return both([right, kept(), outdone()])
 
 
 def kept() -> Proposition:
-    """A wall with K > 0 that meets (5) with (3) is stable with every arm; d is whole."""
+    """For an integer d, a wall with K > 0 that meets (5) with (3) is stable with every arm."""
     loop = STABLE.at({**UNITS, gamma: SPRING, delta: WHOLE})
     given = [*HELD, k_H >= 0, whole(d), K > 0, MEETS]
     return ForAll((*HAND, k_H, K, B, d), implied(given, loop))
 
 
 def outdone() -> Proposition:
-    """Some wall is stable with the arm that is 1 + b_H/b_D times as stiff as all passive ones.
+    """Some wall that is stable with the arm is 1 + b_H/b_D times as stiff as all passive walls.
 
-    Passive is the wall beside the device alone. With every integer delay.
+    A passive wall is passive with the device alone. The claim is for every integer delay.
     """
     loop = STABLE.at({alpha: x, beta: y, gamma: SPRING, delta: WHOLE})
     softer = (b_D + b_H) * UNITS[alpha] <= b_D * x
@@ -79,18 +79,18 @@ LIMITS = {
 ARM = {gamma: SPRING.subs(LIMITS), delta: WHOLE.subs(LIMITS)}
 DEVICE = OWN.subs(LIMITS)
 RATIOS = {"one": (Rational("45.7"), Rational("45.8")), "own": (S(1114), S(1115))}
-"""Between which numbers the ratio of both stiffnesses lies, with one delta and with delta_D."""
+"""Intervals of the ratio of the two stiffnesses, with one delta and with delta_D."""
 
 
 def beside(damping: Expr) -> Proposition:
-    """Some wall is passive behind no delay with this damping of the device."""
+    """Some wall is passive without delay with this damping of the device."""
     return PASSIVE.at({K: alpha, B: beta, b: damping, T: S.One, d: S.Zero})
 
 
 def ratios() -> Proposition:
-    """How many times as stiff as all passive walls a stable one can be, for the arm at the limits.
+    """The ratio of the largest stable to the largest passive stiffness, for the arm at the limits.
 
-    Without delay, with the damping of both in (5), and with that of the device alone.
+    The claim is without delay, with the damping of both in (5) and with that of the device alone.
     """
     parts = []
     for damping, (low, high) in ((ARM[delta], RATIOS["one"]), (DEVICE, RATIOS["own"])):
@@ -103,13 +103,13 @@ def ratios() -> Proposition:
 
 
 FIGURES = 32
-"""0.02 over the largest damping per mass of a device of Sec. IV-C, at 1 ms."""
+"""Ratio of 0.02 to the largest delta_D of a device of Sec. IV-C, at 1 ms."""
 
 
 def oversized() -> Proposition:
-    """A wall that meets (5) with (3) does so 32 times as large with the delta of Figs. 11 and 13.
+    """32 times a wall that meets (5) with (3) meets (5) with the delta of Figs. 11 and 13.
 
-    For devices of Sec. IV-C, b_D/m_D <= 0.625 1/s, and periods up to 1 ms.
+    The claim is for devices of Sec. IV-C, b_D/m_D <= 0.625 1/s, and periods up to 1 ms.
     """
     slow = [LIMITS[T] >= T, Relation(b_D, "<=", LIMITS[b_D] * m_D)]
     given = [*HELD, *slow, MEETS]
@@ -117,10 +117,10 @@ def oversized() -> Proposition:
 
 
 def still_true() -> Proposition:
-    """The ratios of Sec. V-B hold of every device and arm whose gamma and delta lie in (23).
+    """The ratios of Sec. V-B hold for every device and arm whose gamma and delta lie in (23).
 
-    Some stable wall is more than 17.8 times as stiff as all passive ones without delay, and more
-    than 9.3 times with one period of delay, with the damping of the device alone.
+    If only the damping of the device counts for passivity, some stable wall is more than 17.8 times
+    as stiff as all passive walls without delay, and more than 9.3 times with one period of delay.
     """
     parts = []
     for id, delay in (("s5b-eta-d0", 0), ("s5b-eta-d1", 1)):

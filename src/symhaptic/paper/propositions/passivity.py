@@ -19,12 +19,12 @@ PASSIVE = Predicate("passive_wall", (), WALL)
 
 
 def at_every_frequency(*conditions: sp.Expr | Proposition) -> Proposition:
-    """The conditions for 0 < omega < omega_N."""
+    """The condition for 0 < omega < omega_N."""
     return ForAll((omega,), implied([omega > 0, omega < sp.pi / T], both(conditions)))
 
 
 TAPS = sp.symbols("h_0:3")
-"""What an environment answers to a unit pulse: after d periods, d + 1 and d + 2."""
+"""The response of an environment to a unit pulse after d, d + 1 and d + 2 periods."""
 ANSWER = sum(tap * z ** -(d + k) for k, tap in enumerate(TAPS))
 
 
@@ -32,8 +32,8 @@ ANSWER = sum(tap * z ** -(d + k) for k, tap in enumerate(TAPS))
 def _condition_guarantees_passivity(printed: Printed) -> Proposition:
     """No motion gains energy from H(z) = (h_0 + h_1/z + h_2/z^2) z^-d if it meets (4).
 
-    So the text says, "guarantees"; that it is needed as well is said of (5).  Of H(z) the paper
-    asks nothing and uses (1) with a delay, which has two terms of these three.
+    The text says "guarantees". Whether (4) is also necessary is part of the claim of (5). The paper
+    does not restrict H(z), and uses (1) with a delay, which has two of these three terms.
     """
     met = [at_given(c) for c in printed]
     energy = Predicate("passive", (z,), (ANSWER, b / T))
@@ -42,7 +42,7 @@ def _condition_guarantees_passivity(printed: Printed) -> Proposition:
 
 
 def at_given(condition: sp.Expr) -> sp.Expr:
-    """A condition on H(z) for the one that is given, at z = exp(w): z^-n = exp(-n w)."""
+    """A condition on H(z) for a given environment, at z = exp(w), so that z^-n = exp(-n w)."""
 
     def answer(at: sp.Expr) -> sp.Expr:
         return sum(tap * sp.exp(-(d + k) * at.exp) for k, tap in enumerate(TAPS))
@@ -52,24 +52,24 @@ def at_given(condition: sp.Expr) -> sp.Expr:
 
 @claims("eq5")
 def _condition_decides(printed: Printed) -> Proposition:
-    """A wall is passive if it meets (5) at every frequency, and only then.
+    """A wall is passive if and only if it meets (5) at every frequency.
 
-    That (5) makes it so is what (4) says of it; that no other wall is passive is what the
-    boundaries rest on, which are made of (5).
+    That (5) is sufficient follows from the claim of (4). The boundaries, which are derived from
+    (5), also require that no other wall is passive.
     """
     return ForAll(WALL, implied(LOOP, Iff((at_every_frequency(*printed), PASSIVE))))
 
 
 @claims("s3a-mass-free")
 def _mass_does_not_matter(printed: Printed) -> Proposition:
-    """Of two devices that differ in their mass, x and y, both are passive or none is."""
+    """If two devices differ only in their mass, x and y, both are passive or neither is."""
     one, other = (Predicate("passive_device", (v,), (mass * v**2 / 2, *WALL)) for mass in (x, y))
     return ForAll((x, y, *WALL), implied([x > 0, y > 0, *LOOP], Iff((one, other))))
 
 
 @claims("s3a-undelayed")
 def _summary_of_the_undelayed_form(printed: Printed) -> Proposition:
-    """(5) is the form for d = 0, at each frequency; and this says the same as (6), its summary."""
+    """(5) is the form for d = 0 at each frequency; this form is equivalent to (6), its summary."""
     [form] = map(proposition, printed)
     same = at_every_frequency(Iff((proposition(FIVE).at({d: sp.S.Zero}), form)))
     return ForAll(WALL[:-1], implied(LOOP[:-1], both([same, _summed_up(printed)])))
@@ -77,7 +77,7 @@ def _summary_of_the_undelayed_form(printed: Printed) -> Proposition:
 
 @claims("eq6")
 def _condition_without_delay(printed: Printed) -> Proposition:
-    """(6) sums up the form for d = 0, and the walls that meet it are those that are passive."""
+    """(6) is equivalent to the form for d = 0, and a wall is passive if and only if (6) holds."""
     [six] = map(proposition, printed)
     decides = Iff((six, PASSIVE.at({d: sp.S.Zero})))
     return ForAll(WALL[:-1], implied(LOOP[:-1], both([_summed_up((UNDELAYED,), six), decides])))
@@ -92,30 +92,31 @@ def _summed_up(printed: Printed, six: sp.Expr | Proposition = SIX) -> Propositio
 
 
 LITTLE = d * b / (2 * d + 3) >= B
-"""A wall is damped as the end of the line (8) is, or less."""
+"""The damping of a wall is at most that of the end of the line (8)."""
 
 ABOVE = (d > 0, d * b / (2 * d + 3) < B)
-"""It is damped more, with a delay."""
+"""There is a delay, and the damping of a wall exceeds that of the end of the line (8)."""
 
 RANGE = (-b <= B, LITTLE)
-"""The damping for which (9) is printed."""
+"""The range of damping in (9)."""
 
 MINIMAL = ForAll((x,), implied([x >= 0, x < b], Not((PASSIVE.at({b: x}),))))
-"""With less damping of the device a wall is not passive."""
+"""With less damping of the device the wall is not passive."""
 
 BORDER = both([PASSIVE, MINIMAL])
-"""A wall is passive, and it is not with less damping of the device."""
+"""The wall is passive, and not passive with less damping of the device."""
 
 STIFFEST = both([PASSIVE, ForAll((x, y), implied([PASSIVE.at({K: x, B: y})], x <= K))])
-"""A wall is passive, and no passive one is stiffer."""
+"""The wall is passive, and no passive wall is stiffer."""
 
 
 @claims("eq7")
 def _envelope_is_the_boundary(printed: Printed) -> Proposition:
-    """Each wall that (7) gives for a frequency is on the boundary; with a delay no other wall is.
+    """Each wall of (7) is on the boundary, and with a delay no other wall is.
 
-    The latter of walls which are damped more than the end of the line (8): up to there the boundary
-    is its line.  Without delay (7) is one wall, and the upper boundary that of (6), see Fig. 4.
+    The second part is for walls with more damping than the end of the line (8). With less damping,
+    the boundary is this line. Without delay (7) is one wall, and the upper boundary is that of (6);
+    see Fig. 4.
     """
     curve = [omega > 0, omega < sp.pi / T, *printed]
     others = implied([BORDER, *ABOVE], Exists((omega,), both(curve)))
@@ -124,14 +125,14 @@ def _envelope_is_the_boundary(printed: Printed) -> Proposition:
 
 @claims("eq8")
 def _line_is_the_lower_boundary(printed: Printed) -> Proposition:
-    """Up to the damping of its end, the boundary has the walls of the line and no others."""
+    """Up to the damping of its end, the boundary consists of the walls of the line."""
     on_line = Exists((y,), both([y >= 0, y <= 1, *printed]))
     return ForAll(WALL, implied(LOOP, Iff((both([BORDER, LITTLE]), on_line))))
 
 
 @claims("eq9", "eq10")
 def _linear_condition_decides(printed: Printed) -> Proposition:
-    """For the damping that (9) names it decides which walls are passive; (10) says the same."""
+    """In its range of damping a wall is passive if and only if it meets (9); (10) is equivalent."""
     return ForAll(WALL, implied([*LOOP, *RANGE], Iff((both(printed), PASSIVE))))
 
 
@@ -147,7 +148,7 @@ def tends(expr: sp.Expr, variable: sp.Symbol, at: object, to: sp.Expr) -> Predic
 
 @claims("s3c-lower-part")
 def _lower_part(printed: Printed) -> Proposition:
-    """On the line (8) the condition is just met at low frequencies, and (7) tends to its points."""
+    """On the line (8), (5) holds with equality at low frequencies, and (7) tends to its points."""
     curve, line = (transcribed(id) for id in ("eq7", "eq8"))
     limits = [tends(c.rhs, omega, 0, e.rhs) for c, e in zip(curve, line, strict=True)]
     along = [proposition(e).at({y: x}) for e in line]
@@ -160,7 +161,7 @@ def _lower_part(printed: Printed) -> Proposition:
 
 @claims("s3c-kmax-frequency")
 def _damping_does_nothing(printed: Printed) -> Proposition:
-    """There the coefficient of B vanishes, first of all frequencies, and (11) just meets (5)."""
+    """The coefficient of B first vanishes at this frequency, where (11) attains (5)."""
     need = FIVE.rhs
     coefficient = sp.diff(need, B)
     none = proposition(sp.Eq(coefficient, 0))
@@ -173,20 +174,20 @@ def _damping_does_nothing(printed: Printed) -> Proposition:
 
 
 def largest_stiffness(stiffness: sp.Expr, delay: int) -> list[Proposition]:
-    """A wall of this stiffness is passive with some damping, and no stiffer one is."""
+    """Some wall of this stiffness is passive, and no stiffer wall is."""
     here, other = PASSIVE.at({K: stiffness, d: sp.S(delay)}), PASSIVE.at({K: w, d: sp.S(delay)})
     return [Exists((B,), here), ForAll((w, B), implied([other], w <= stiffness))]
 
 
 def _share(delay: int, *bounds: Callable[[sp.Expr], sp.Expr]) -> Proposition:
-    """The largest passive stiffness y of a delay, over that without delay, x."""
+    """Ratio of the largest passive stiffness y with a delay to that without delay, x."""
     given = [T > 0, b > 0, *largest_stiffness(x, 0), *largest_stiffness(y, delay)]
     return ForAll((b, T, x, y), implied(given, both([bound(y / x) for bound in bounds])))
 
 
 @claims("s3c-kmax-41")
 def _about_41_percent(printed: Printed) -> Proposition:
-    """Rounded to a hundredth it is 0.41."""
+    """Rounded to two decimals, the ratio is 0.41."""
     [share] = quoted("s3c-kmax-41")
     return _share(1, *bounds(share))
 
@@ -199,7 +200,7 @@ def _below_27_percent(printed: Printed) -> Proposition:
 
 @claims("s3c-limit-points")
 def _damping_ends_at_that_of_the_device(printed: Printed) -> Proposition:
-    """A wall that meets (5) has no damping beyond these points (x, y), which just meet it."""
+    """The damping of a wall that meets (5) lies between these points, which attain (5)."""
     point = [proposition(e).at({K: x, B: y}) for e in printed]
     met = at_every_frequency(b - FIVE.rhs >= 0).at({K: x, B: y})
     ends = [implied(point[:2], both([met, y >= B])), implied(point[2:], both([met, y <= B]))]
@@ -208,7 +209,7 @@ def _damping_ends_at_that_of_the_device(printed: Printed) -> Proposition:
 
 @claims("s3c-bmax-frequency")
 def _upper_part(printed: Printed) -> Proposition:
-    """There (5) is the linear condition, and the largest damping just meets it."""
+    """At this frequency (5) is a linear condition, and the largest damping attains it."""
     frequency, linear = printed
     reached = sp.Eq(FIVE.rhs.subs({K: 0, B: b}), b)
     inside = omega > 0, omega < sp.pi / T
@@ -218,13 +219,13 @@ def _upper_part(printed: Printed) -> Proposition:
 
 @claims("s3c-upper-part")
 def _upper_part_without_delay(printed: Printed) -> Proposition:
-    """Where B is not negative, (6) is the linear condition of that frequency."""
+    """For B >= 0, (6) is the linear condition of this frequency."""
     same = Iff((proposition(SIX), proposition(b > K * T / 2 + B)))
     return ForAll(WALL[:-1], implied([*LOOP[:-1], B >= 0], same))
 
 
 def scaled(period: sp.Expr) -> Proposition:
-    """The walls of (5) scale with b, and their stiffness with y as the period does."""
+    """The walls of (5) are proportional to b, and their stiffness changes by y with the period."""
     walls = at_every_frequency(FIVE)
     damped = Iff((walls, walls.at({K: y * K, B: y * B, b: y * b})))
     slower = Iff((walls, walls.at({K: y * K, T: period})))
@@ -233,19 +234,19 @@ def scaled(period: sp.Expr) -> Proposition:
 
 @claims("s3b-linear-in-T")
 def _linear_in_the_period(printed: Printed) -> Proposition:
-    """Twice the damping, twice the region; twice the period, twice the stiffness."""
+    """Twice the damping gives twice the region, and twice the period gives twice the stiffness."""
     return scaled(y * T)
 
 
 UPPER = both([sp.Eq(d, 0), K >= 0, B >= 0, sp.Eq(b, K * T / 2 + B)])
-"""The upper part of (6), which is for no delay, as an equation."""
+"""The upper part of (6), without delay, as an equation."""
 
 
 @claims("fig4")
 def _curves_of_the_figure(printed: Printed) -> Proposition:
-    """For seven delays: (7) up to its end, the line (8) and the tip (11), and no other wall.
+    """For seven delays the boundary is (7) up to its end and the line (8), with the tip (11).
 
-    Without delay the upper part is that of (6), of which (7) is one wall.
+    Without delay the upper part is that of (6), and (7) is one of its walls.
     """
     delays = Or(tuple(proposition(sp.Eq(d, sp.Rational(text))) for text in DELAYS))
     curve, line, tip = (transcribed(id) for id in ("eq7", "eq8", "eq11"))
@@ -261,7 +262,7 @@ def _curves_of_the_figure(printed: Printed) -> Proposition:
 
 @claims("fig5")
 def _stiffness_over_delay(printed: Printed) -> Proposition:
-    """The curve is KT/b of (11), and that wall is the stiffest."""
+    """The curve is KT/b of (11), and the wall of (11) is the stiffest passive wall."""
     height = sp.Eq(K * T, 2 * b * sp.tan(sp.pi / (4 * (d + 1))))
     given = [*LOOP, *transcribed("eq11")]
     return ForAll(WALL, implied(given, both([height, STIFFEST])))

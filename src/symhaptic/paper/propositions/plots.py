@@ -1,7 +1,7 @@
-"""The claims of the plots of stable walls, and what the text reads from them.
+"""The claims of the plots of stable walls, and of the conclusions that the text draws from them.
 
-Stable is what the paper calls so, as for Sec. IV-D.  Plots have curves, no numbers: a claim names
-what each curve is, and how near two are that cannot be told apart.
+A wall is stable in the sense of the paper, as for Sec. IV-D. Plots have curves and no numbers: a
+claim says what each curve is, and how close two curves are that look the same.
 """
 
 from __future__ import annotations
@@ -44,16 +44,16 @@ def undelayed(wall: tuple[Expr, ...] = (alpha, beta), spring: Expr = gamma) -> P
 
 
 def near(reach: Expr = THICK) -> list[Expr]:
-    """(alpha_1, beta_1) lies within ``reach`` of (alpha, beta), in each coordinate."""
+    """(alpha_1, beta_1) and (alpha, beta) differ by at most ``reach`` in each coordinate."""
     ways = [other - here for other, here in zip(BESIDE, (alpha, beta), strict=True)]
     return [relation for way in ways for relation in (-reach <= way, way <= reach)]
 
 
 def alike() -> Proposition:
-    """Two springs have the same stable walls, within the thickness of a line.
+    """Two springs have the same stable walls to within the thickness of a line.
 
-    Near each wall that is stable with one spring there is one that is stable with the other; and
-    where all walls near one are stable with the other spring, it is stable with the first.
+    Near each wall that is stable with one spring, some wall is stable with the other one. If all
+    walls near a wall are stable with the other spring, this wall is stable with the first one.
     """
     other = undelayed(BESIDE, OTHER)
     kept = implied([undelayed()], Exists(BESIDE, both([*near(), other])))
@@ -77,35 +77,36 @@ def between_line_and_curve() -> Proposition:
 
 @claims("fig7")
 def _boundary_without_delay(printed: Printed) -> Proposition:
-    """The regions end on the left at alpha = -gamma, on the right at a parabola-like curve.
+    """The regions end on the left at alpha = -gamma and on the right at a parabola-like curve.
 
-    The curve is the exact one, of the arm's numbers.  The effect of gamma is not visible: the
-    regions of two springs of (23) beside one damper are the same within 0.002 in each coordinate,
-    the thickness of a line.  Read for all arms of (23), of which the figure has four corners.
+    The curve is the exact one for the coefficients of the arm. The effect of gamma is not visible:
+    for the same damper, the regions of two springs of (23) agree to within 0.002 in each
+    coordinate, the thickness of a line. The claim is for all arms of (23); the figure shows its
+    four corners.
     """
     return both([between_line_and_curve(), alike()])
 
 
 @claims("s4d-gamma-invisible")
 def _springs_hardly_matter(printed: Printed) -> Proposition:
-    """The regions of two springs of (23) beside one damper are the same within 0.002.
+    """For the same damper the regions of two springs of (23) agree to within 0.002.
 
-    That is a third of a percent of the width of Fig. 7, and a thousandth of its height.
+    This is a third of a percent of the width of Fig. 7, and a thousandth of its height.
     """
     return alike()
 
 
 FINE, FRAME = Rational(1, 10**4), (Rational(3, 1000), Rational(25, 1000))
-"""The thickness of a line in Fig. 8, and the ends of what is seen around the origin."""
+"""The thickness of a line in Fig. 8, and the ends of its axes around the origin."""
 
 
 @claims("fig8")
 def _close_up_without_delay(printed: Printed) -> Proposition:
-    """Around the origin the stable walls are those with alpha > -gamma above a line without gamma.
+    """Near the origin the stable walls are those with alpha > -gamma above one line for all gamma.
 
-    The line is beta = alpha/2 - delta, to within 0.0001 of beta, a three hundredth of the height.
-    Read for all arms of (23), of which the figure has five springs, and for alpha <= 0.003 and
-    -0.025 <= beta <= 0.025: it shows the springs up to 0.001 and the dampers up to 0.02.
+    The line is beta = alpha/2 - delta, to within 0.0001 in beta, a three-hundredth of the height.
+    The claim is for all arms of (23), of which the figure shows five springs, and for alpha <=
+    0.003 and -0.025 <= beta <= 0.025.
     """
     above = beta - (alpha / 2 - delta)
     wide, high = FRAME
@@ -118,15 +119,15 @@ def _close_up_without_delay(printed: Printed) -> Proposition:
 # -- one and two periods late ---------------------------------------------------------------
 
 CORNERS = {gamma: (sp.S.Zero, STIFF), delta: (sp.S.Zero, DAMPED), d: (sp.S.One, sp.S(2))}
-"""What Fig. 9 shows: the limits of (23), and its two panels."""
+"""The limits of (23) and the two panels of Fig. 9."""
 THIN = Rational(1, 5000)
 """The thickness of a line in Fig. 9, whose regions are 0.15 and 0.07 wide."""
 SEEN = 70
-"""The region for d = 2 is less than so many times as wide, right of the origin, as the spring."""
+"""For d = 2 the region right of the origin is less than this many times as wide as the spring."""
 
 
 def either(symbol: Symbol) -> Proposition:
-    """A symbol has one of its values in Fig. 9."""
+    """The symbol has one of its values in Fig. 9."""
     return Or(tuple(proposition(sp.Eq(symbol, value)) for value in CORNERS[symbol]))
 
 
@@ -134,11 +135,11 @@ def either(symbol: Symbol) -> Proposition:
 def _boundaries_with_delay(printed: Printed) -> Proposition:
     """For d = 1 and d = 2 and the four limits of (23): curve, left bound and tip of the region.
 
-    On the curve, alpha(theta) and beta(theta), are the walls that have a zero at exp(j theta); none
-    is stable.  The walls that it encloses with a stable one are stable.  The stable walls lie right
-    of alpha = -gamma and come as near to it as the thickness of a line; one of them is as stiff as
-    all, to within that.  The spring 0.001 is visible: for d = 2 it is more than a seventieth of
-    what lies right of the origin.
+    The walls of the curve, alpha(theta) and beta(theta), have a zero at exp(j theta), and none of
+    them is stable. A wall that the curve encloses together with a stable wall is stable. The stable
+    walls lie to the right of alpha = -gamma and come within the thickness of a line of it. One of
+    them is as stiff as all stable walls, to within this thickness. The spring 0.001 is visible: for
+    d = 2 it is more than a seventieth of the width right of the origin.
     """
     other = STABLE.at(dict(zip((alpha, beta), BESIDE, strict=True)))
     walls = [
@@ -159,19 +160,19 @@ def _boundaries_with_delay(printed: Printed) -> Proposition:
 # -- the linear condition beside the boundary -------------------------------------------------
 
 LINED = {d: (sp.S.Zero, sp.S.One), delta: tuple(Rational(k, 200) for k in range(5))}
-"""The panels and dampers of Fig. 10, whose spring is 0.001."""
+"""The delays and dampings of Fig. 10, whose spring is 0.001."""
 LEVELS = (sp.S.Zero, Rational(2, 100), Rational(5, 100))
-"""Errors of the circles, triangles and squares."""
+"""The errors of the circles, triangles and squares."""
 BEFORE = ((sp.S.Zero, Rational(4, 200)), (sp.S.One, Rational(3, 200)), (sp.S.One, Rational(4, 200)))
-"""Delays and dampers with a second triangle, before the line crosses the boundary."""
+"""Delays and dampings with a second triangle, before the line crosses the boundary."""
 READ = Rational(1, 10**4)
-"""How near an error is to that of its mark."""
+"""The tolerance of an error at its mark."""
 
 
 def marked(level: Expr) -> Proposition:
-    """A wall of the boundary has this error (26), with its sign, to within READ.
+    """A wall of the boundary has this signed error (26), to within READ.
 
-    With alpha_lin, of the wall on the line (25) with the same beta: (alpha_lin - alpha) is level
+    With alpha_lin of the wall on the line (25) with the same beta, (alpha_lin - alpha) is level
     times (alpha + gamma), which is positive.
     """
     wall, (right, up) = (theta, *BESIDE), BESIDE
@@ -184,13 +185,13 @@ def marked(level: Expr) -> Proposition:
 
 @claims("fig10")
 def _linear_condition_beside_the_boundary(printed: Printed) -> Proposition:
-    """For gamma = 0.001, five dampers, no delay and one period: the solid curves and their marks.
+    """For gamma = 0.001, five dampings, no delay and one period: the solid curves and their marks.
 
-    On a curve are the walls that have a zero at exp(j theta); none is stable, and no wall left of
-    alpha = -gamma or on it.  The walls that they enclose with a stable one are stable; without
-    delay these are all between that line and the curve, as for Fig. 7.  On each curve there are
-    walls whose errors (26) are 0, 2 and 5 percent, to a hundredth of a percent, and on three a wall
-    with the error -2 percent.
+    The walls of a curve have a zero at exp(j theta), and none of them is stable. No wall to the
+    left of alpha = -gamma or on this line is stable. A wall that they enclose together with a
+    stable wall is stable; without delay these are all walls between this line and the curve, as for
+    Fig. 7. On each curve some walls have the errors 0, 2 and 5 percent (26), to a hundredth of a
+    percent, and on three curves a wall has the error -2 percent.
     """
     left = ForAll((alpha, beta), implied([STABLE], alpha > -gamma))
     given = [Or(tuple(proposition(sp.Eq(s, v)) for v in values)) for s, values in LINED.items()]
@@ -205,24 +206,24 @@ def _linear_condition_beside_the_boundary(printed: Printed) -> Proposition:
 NYQUIST = sp.pi**2 + delta**2 / 4
 """The spring of (30) as an equation."""
 LEFT = sp.exp(-delta / 2)
-"""What a period of the swing leaves."""
+"""The factor by which a period reduces the amplitude of the oscillation."""
 DAMPERS = (delta > 0, *(p for p in ARMS if delta in p.free))
 TIMES = 13
 
 
 def triangle() -> list[Expr]:
-    """The three sides."""
+    """The three sides of the triangle."""
     half = NYQUIST / (1 + LEFT)
     return [alpha > -NYQUIST, beta > -half, alpha + 2 * beta < half * (1 - LEFT)]
 
 
 @claims("s5c-shape")
 def _other_shape_and_size(printed: Printed) -> Proposition:
-    """A line and a parabola-like curve become a triangle, thirteen times as wide.
+    """A region between a line and a parabola-like curve becomes a triangle, thirteen times as wide.
 
-    Said without delay.  With a spring of (23) the stable walls are as in Fig. 7; with that of the
-    Nyquist frequency they are a triangle, in which there is a wall 13 times as stiff as any that is
-    stable with a spring of (23).
+    The claim is without delay. With a spring of (23), the stable walls are as in Fig. 7. With the
+    spring of the Nyquist frequency they fill a triangle, and one of its walls is 13 times as stiff
+    as every wall that is stable with a spring of (23).
     """
     there = undelayed(spring=NYQUIST)
     shape = ForAll((alpha, beta, delta), implied(DAMPERS, Iff((there, both(triangle())))))
@@ -232,7 +233,7 @@ def _other_shape_and_size(printed: Printed) -> Proposition:
 
 
 def moved_sides() -> list[Expr]:
-    """How far the sides lie from those without a damper is less than 0.05."""
+    """The sides lie within 0.05 of those without a damper."""
     half = NYQUIST / (1 + LEFT)
     ways = (NYQUIST - sp.pi**2, half - sp.pi**2 / 2, half * (1 - LEFT))
     least = Rational(5, 100)
@@ -245,7 +246,7 @@ WIDTH = 19
 
 @claims("s5c-delta-hardly-visible")
 def _damping_hardly_moves_the_triangle(printed: Printed) -> Proposition:
-    """For d = 0 and the spring of the Nyquist frequency, for all dampers of (23).
+    """For d = 0 and the spring of the Nyquist frequency, the triangle for all dampers of (23).
 
     The sides move by less than 0.05; the corners are more than WIDTH apart in alpha.
     """
@@ -265,9 +266,9 @@ def one_of(*delays: str) -> Proposition:
 
 
 def dashed() -> Proposition:
-    """Each wall of (27), for delta = 0.02 up to its end, is on the boundary of passive walls.
+    """Each wall of (27), for delta = 0.02 up to its end, is on the boundary of the passive walls.
 
-    With a delay no other wall is on it, of those that are damped more than the end of (8).
+    With a delay no other wall with more damping than the end of (8) is on the boundary.
     """
     units = {K: alpha, B: beta, b: DAMPED, T: sp.S.One}
     curve = [proposition(line).at({delta: DAMPED}) for line in transcribed("eq27")]
@@ -279,9 +280,9 @@ def dashed() -> Proposition:
 
 
 def solid() -> Proposition:
-    """On the curve are the walls with a zero at exp(j theta), and none of them is stable.
+    """The walls of the curve have a zero at exp(j theta), and none of them is stable.
 
-    The principal sheet is meant, z^d = exp(j d theta).
+    This is for the principal sheet, z^d = exp(j d theta).
     """
     given = [DEVICE, theta > 0, theta < sp.pi, at_angle()]
     unstable = ForAll((alpha, beta, *NUMBERS, theta), implied(given, Not((STABLE,))))
@@ -289,11 +290,11 @@ def solid() -> Proposition:
 
 
 def enclosed() -> Proposition:
-    """With a stable wall all walls are stable that no boundary parts from it.
+    """All walls that no boundary separates from a stable wall are stable.
 
-    That is if no wall on the straight way between them has a zero at exp(j theta), from theta = 0,
-    which is the line alpha = -gamma, by way of the curve to theta = pi.  So the walls that the
-    boundaries enclose with a stable one are stable.
+    No boundary separates them if no wall on the straight line between them has a zero at exp(j
+    theta), from theta = 0, which is the line alpha = -gamma, along the curve to theta = pi. So the
+    walls that the boundaries enclose together with a stable one are stable.
     """
     on_way = {
         end: begin + WAY * (end - begin) for begin, end in zip(START, (alpha, beta), strict=True)
@@ -314,13 +315,14 @@ WHOLE = tuple(text for text in DELAYS if "." not in text)
 def _both_in_one_plane(printed: Printed) -> Proposition:
     """For gamma = 0.001 and delta = 0.02: dashed and solid curves, and their regions.
 
-    Of the five integer delays: a wall of a dashed curve, (27) up to its end, is on the boundary of
-    the passive walls, and with more damping than the end of (8) no other wall is, with a delay. On
-    a solid curve, alpha(theta) and beta(theta), are the walls that have a zero at exp(j theta);
-    none is stable, and no wall left of alpha = -gamma or on it. The walls that the boundaries
-    enclose with a stable one are stable. Of all seven delays: the passive walls are stable, with
-    the held force delayed by just that; the text does not say which polynomial the solid curves of
-    the other two belong to. The dash-dotted line of the largest stiffness is that of Fig. 12.
+    For the five integer delays: a wall of a dashed curve, (27) up to its end, is on the boundary of
+    the passive walls. With a delay, no other wall with more damping than the end of (8) is. The
+    walls of a solid curve, alpha(theta) and beta(theta), have a zero at exp(j theta), and none of
+    them is stable. No wall to the left of alpha = -gamma or on this line is stable. The walls that
+    the boundaries enclose together with a stable one are stable. For all seven delays: the passive
+    walls are stable with the held force and this delay. The text does not say which polynomial the
+    solid curves of the other two delays belong to. The dash-dotted line of the largest stiffness is
+    part of the claim of Fig. 12.
     """
     arm = {gamma: STIFF, delta: DAMPED}
     left = ForAll((alpha, beta), implied([STABLE.at(arm)], alpha > -STIFF))
@@ -336,12 +338,12 @@ PANELS = ("0", "0.5", "1", "2")
 
 @claims("fig13")
 def _springs_up_to_nyquist(printed: Printed) -> Proposition:
-    """For delta = 0.02 and delta = 0, and the springs up to that of (30): all of them.
+    """For delta = 0.02 and delta = 0, and all springs up to that of (30).
 
-    Of the three integer delays: on a curve are the walls that have a zero at exp(j theta), and none
-    is stable; the walls that the boundaries enclose with a stable one are stable. Of all four
-    delays: the passive walls for delta = 0.02 with alpha > 0, the green region, are stable with
-    every such spring, with the held force delayed by just that; as for Fig. 11.
+    For the three integer delays: the walls of a curve have a zero at exp(j theta), and none of them
+    is stable; the walls that the boundaries enclose together with a stable one are stable. For all
+    four delays: the passive walls for delta = 0.02 with alpha > 0, the green region, are stable
+    with every such spring, with the held force and this delay; see Fig. 11.
     """
     springs = [gamma >= 0, gamma <= NYQUIST]
     shown = both([solid(), enclosed()])
@@ -359,11 +361,11 @@ def _springs_up_to_nyquist(printed: Printed) -> Proposition:
 
 @claims("s5c-robust-vanishes")
 def _nothing_is_left_without_damping(printed: Printed) -> Proposition:
-    """For delta = 0 no wall is stable with every spring, whatever the delay, d >= 0.
+    """For delta = 0 and every delay d >= 0, no wall is stable with every spring.
 
-    The springs are those below the Nyquist frequency that hold the device at all, 0 < gamma < pi^2:
-    with that of the frequency itself no wall is stable, and without a spring none with alpha <= 0.
-    What is left is the origin, where the device swings alone: stable in the limit, not more.
+    The springs are those below the Nyquist frequency, 0 < gamma < pi^2. With the spring of the
+    Nyquist frequency itself no wall is stable, and without a spring no wall with alpha <= 0 is. At
+    the origin the device oscillates without a wall and is only limit stable.
     """
     held = ForAll((gamma,), implied([gamma > 0, gamma < sp.pi**2], STABLE.at({delta: sp.S.Zero})))
     return ForAll((alpha, beta, d), implied([d >= 0], Not((held,))))

@@ -1,4 +1,4 @@
-"""What most claims of the paper are made of: symbols, propositions and their registry."""
+"""What most claims of the paper use: symbols, propositions and their registry."""
 
 from collections.abc import Callable, Sequence
 
@@ -55,5 +55,5 @@ from symhaptic.paper.reading import Printed
 
 
 def transcribed(id: str) -> Printed:
-    """Another equation of the paper, as it is printed."""
+    """Return another equation of the paper, as published."""
     return STATEMENTS[id].printed

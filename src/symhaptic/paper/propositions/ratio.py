@@ -1,11 +1,10 @@
-"""The claims on how much stiffer a stable wall can be than a passive one, Sec. V-B and VI.
+"""The claims on the ratio of stable to passive stiffness, Sec. V-B and VI.
 
-The stable walls have no stiffest one, for their region is open.  That the largest stable stiffness
-is more than c times the largest passive one says: there is a stable wall, of stiffness x, that is
-more than c times as stiff as every passive wall.  That it is less than c times says: there is a
-passive wall such that every stable one is less than c times as stiff.
-
-All of it is in the units of Table I, with m = T = 1; delays are whole.
+No stable wall is the stiffest one, because the region is open. The largest stable stiffness is more
+than c times the largest passive one if some stable wall is more than c times as stiff as every
+passive wall. It is less than c times as large if, for some passive wall, every stable wall is less
+than c times as stiff. All claims are in the units of Table I, with m = T = 1, and for integer
+delays.
 """
 
 from __future__ import annotations
@@ -39,17 +38,17 @@ def passive(delay: sp.Expr | int, wall: Sequence[sp.Expr] = WALL) -> Proposition
 
 
 def outdoes(best: Proposition, others: Proposition, *bounds: sp.Expr) -> Proposition:
-    """There is a wall (x, y) such that for all other walls (alpha, beta) these bounds hold."""
+    """There is a wall (x, y) such that these bounds hold for all other walls (alpha, beta)."""
     return Exists(BEST, both([best, ForAll(WALL, implied([others], both(bounds)))]))
 
 
 def stiffer(delay: int, *bounds: sp.Expr) -> Proposition:
-    """A stable wall beside all passive ones."""
+    """Compare a stable wall with all passive walls."""
     return outdoes(stable(delay, BEST), passive(delay), *bounds)
 
 
 def not_stiffer(delay: int, *bounds: sp.Expr) -> Proposition:
-    """A passive wall beside all stable ones, for the arm of the figures."""
+    """Compare a passive wall with all stable walls, for the arm of the figures."""
     return outdoes(passive(delay, BEST), stable(delay), *bounds).at(ARM)
 
 
@@ -62,7 +61,7 @@ def on_the_range(*then: Proposition) -> Proposition:
 def _without_delay(printed: Printed) -> Proposition:
     """More than 17.8 times as stiff, eta < 0.0562, on all of (23).
 
-    In the figures, where both numbers are read, it is less than 17.9 times, and eta > 0.0561.
+    In the figures, from which both numbers are read, the ratio is less than 17.9, and eta > 0.0561.
     """
     times, eta = quoted("s5b-eta-d0")
     more = stiffer(0, number(times) * alpha < x, alpha < number(eta) * x)
@@ -74,7 +73,7 @@ def _without_delay(printed: Printed) -> Proposition:
 def _one_period_late(printed: Printed) -> Proposition:
     """More than 9.3 times as stiff, eta < 0.1074, on all of (23).
 
-    In the figures, where both numbers are read, it is less than 9.4 times, and eta > 0.1073.
+    In the figures, from which both numbers are read, the ratio is less than 9.4, and eta > 0.1073.
     """
     times, eta = quoted("s5b-eta-d1")
     more = stiffer(1, number(times) * alpha < x, alpha < number(eta) * x)
@@ -84,9 +83,10 @@ def _one_period_late(printed: Printed) -> Proposition:
 
 @claims("s6-stable-22")
 def _stiffness_left_by_one_period(printed: Printed) -> Proposition:
-    """Without delay some wall is stable such that with d = 1 all are below 22 % of it, on (23).
+    """For some wall that is stable without delay, all stable walls with d = 1 are below 22 % of it.
 
-    In the figures, from which it is read, it rounds to 22 %: more than 21.5 % is left.
+    The claim is for (23). In the figures, from which the number is read, the share rounds to 22 %:
+    it is more than 21.5 %.
     """
     [share] = quoted("s6-stable-22")
     nearest = number(share) - Rational(str(share.unit)) / 2
@@ -97,21 +97,21 @@ def _stiffness_left_by_one_period(printed: Printed) -> Proposition:
 
 END, RATE = Symbol("D"), Symbol("rho")
 SPRINGS = (S.Zero, STIFF)
-"""Those of Fig. 12, whose damper is 0.02."""
+"""The springs of Fig. 12, whose damping is 0.02."""
 
 
 def below(share: Expr, delay: Expr | int) -> Proposition:
-    """eta(d) < share: some stable wall, times this, is stiffer than all passive ones."""
+    """eta(d) < share: some stable wall, times this share, is stiffer than all passive walls."""
     return outdoes(stable(delay, BEST), passive(delay), alpha < share * x)
 
 
 def above(share: Expr, delay: Expr | int) -> Proposition:
-    """eta(d) > share: some passive wall is stiffer than all stable ones times this."""
+    """eta(d) > share: some passive wall is stiffer than all stable walls times this share."""
     return outdoes(passive(delay, BEST), stable(delay), share * alpha < x)
 
 
 def grows(delay: Expr | int, later: Expr | int) -> Proposition:
-    """eta(d) < rho < eta(d'), for some rho."""
+    """eta(d) < rho < eta(d') for some rho."""
     return Exists((RATE,), both([below(RATE, delay), above(RATE, later)]))
 
 
@@ -122,10 +122,11 @@ def springs() -> Proposition:
 
 @claims("s5a-smaller-delta")
 def _less_damping_sets_them_further_apart(printed: Printed) -> Proposition:
-    """With less damping the passive stiffness is a smaller share of the stable one, on (23).
+    """On (23), the ratio of passive to stable stiffness is smaller with less damping.
 
-    Size is read as the largest stiffness: eta(delta) < rho < eta(delta') for some rho, with one
-    spring. The passive walls vanish with the damper, 0 < delta. For every integer delay.
+    Size is read as the largest stiffness: eta(delta) < rho < eta(delta') for some rho, with the
+    same spring. The passive walls vanish with the damper, so 0 < delta. The claim is for every
+    integer delay.
     """
     more = above(RATE, d).at({delta: HEAVIER})
     ranges = [p.subs(delta, HEAVIER) for p in transcribed("eq23")]
@@ -136,10 +137,9 @@ def _less_damping_sets_them_further_apart(printed: Printed) -> Proposition:
 
 @claims("s5b-eta-grows")
 def _until_it_is_one(printed: Printed) -> Proposition:
-    """Behind some integer delay no stable wall is stiffer than a passive one; until then eta
-    grows.
+    """For some integer delay no stable wall is stiffer than a passive one; until then eta grows.
 
-    For both springs of Fig. 12, of which it is said.
+    The claim is for both springs of Fig. 12, to which the sentence refers.
     """
     same = outdoes(passive(END, BEST), stable(END), alpha <= x)
     before = [whole(d), whole(LATER), d < LATER, LATER <= END]
@@ -149,20 +149,20 @@ def _until_it_is_one(printed: Printed) -> Proposition:
 
 
 SHOWN = (0, 1, 2, 4, 8)
-"""Delays of Fig. 12 (a) and (b), of which Fig. 11 shows the walls, too."""
+"""The delays of Fig. 12 (a) and (b), whose walls Fig. 11 also shows."""
 PEAKS = {S.Zero: (16, 32, 64, 122), STIFF: (16, 32, 40)}
-"""Delays of (c) up to the peak of eta, for each spring."""
+"""The delays of (c) up to the peak of eta, for each spring."""
 NEAR = Rational(9998, 10**4)
-"""What cannot be told from 1 in print."""
+"""A ratio that looks like 1 in print."""
 FALLEN = {S.Zero: Rational(91, 100), STIFF: Rational(6, 100)}
-"""More than eta at the right end of (c), d = 1000."""
+"""Upper bounds of eta at the right end of (c), d = 1000."""
 FINE = Rational(1, 1000)
 """The thickness of a line, as a share of the stiffness."""
 OTHER = sp.symbols("alpha_1 beta_1")
 
 
 def rightmost() -> Proposition:
-    """The stable walls are as stiff as a wall of the boundary, within a line's thickness."""
+    """Stable walls are as stiff as a wall of the boundary, to within the thickness of a line."""
     curve = on_boundary().at(dict(zip(WALL, BEST, strict=True)))
     most = ForAll(WALL, implied([stable(d)], alpha < (1 + FINE) * x))
     near = Exists(OTHER, both([stable(d, OTHER), OTHER[0] > (1 - FINE) * x]))
@@ -172,12 +172,12 @@ def rightmost() -> Proposition:
 
 @claims("fig12")
 def _largest_stiffnesses(printed: Printed) -> Proposition:
-    """For both springs and delta = 0.02: the curves of (a), and how their ratio runs in (b), (c).
+    """For both springs and delta = 0.02: the curves of (a), and their ratio in (b) and (c).
 
     At five delays the largest stable stiffness is that of a wall of the boundary, as Sec. V-B says,
-    to a thousandth; the passive one is that of (11), which is another statement.  From one delay of
-    a list to the next the ratio grows, until it cannot be told from 1 in print, at 122 periods
-    without a spring and 40 with it; at the right end of (c), d = 1000, it has fallen.
+    to a thousandth; the passive one is that of (11), which is another statement. From one delay of
+    a list to the next the ratio grows, until it looks like 1 in print, at 122 periods without a
+    spring and 40 with it. At the right end of (c), d = 1000, it has fallen.
     """
     one = Or(tuple(proposition(sp.Eq(d, n)) for n in SHOWN))
     tips = ForAll((gamma, d), implied([springs(), one], rightmost()))

@@ -1,4 +1,4 @@
-"""Where the claims of statements are kept, by id."""
+"""The claims of the statements, by id."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ CLAIMED: dict[str, Claim] = {}
 
 
 def claims(*ids: str) -> Callable[[Claim], Claim]:
-    """The claim of these statements; each is stated once."""
+    """Register the claim of these statements; each statement has one claim."""
 
     def register(claim: Claim) -> Claim:
         for id in ids:

@@ -1,4 +1,4 @@
-"""The claim of the interval of Sec. V-C, and what is meant instead."""
+"""The claim of the interval of Sec. V-C, and its correction."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from symhaptic.paper.propositions.prelude import *
 END = Rational(1, 50)
 """Largest delta of (23)."""
 ENDS = pi**2, pi**2 + Rational(1, 10000)
-"""The interval of the print."""
+"""The published interval."""
 SPRINGS = (gamma >= 0, delta >= 0, delta <= END)
 
 
 def below(end: Expr) -> Proposition:
-    """(30) says that gamma is at most ``end``, for the dampers of (23)."""
+    """By (30) gamma is at most ``end``, for the dampers of (23)."""
     [thirty] = transcribed("eq30")
     return ForAll(
         (gamma, delta), implied(SPRINGS, Iff((proposition(thirty), proposition(gamma <= end))))
@@ -21,7 +21,7 @@ def below(end: Expr) -> Proposition:
 
 @claims("s5c-interval")
 def _below_an_interval(printed: Printed) -> Proposition:
-    """A number below an interval: below its lower end, or below its upper end."""
+    """Below an interval means below its lower end or below its upper end."""
     return Or(tuple(below(end) for end in ENDS))
 
 

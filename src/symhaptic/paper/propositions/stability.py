@@ -1,7 +1,7 @@
 """The claims of Sec. IV-D: stability.
 
-Stable is what the paper calls so, every zero of (18) inside the circle, with z = w^q for a delay of
-d = p/q periods.  A region is larger than another where it holds all of its walls.
+A wall is stable in the sense of the paper: every zero of (18) lies inside the circle, with z = w^q
+for a delay of d = p/q periods. A region is larger than another one if it contains all of its walls.
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ TERMS = {2: n_0, 1: n_1 - a * n_0, 0: e * n_0 - a * n_1, -1: e * n_1}
 
 
 def stiffness(delay: Expr = d) -> Expr:
-    """alpha(theta) |N|^2 cos(theta/2), with a zero of the loop at exp(j theta)."""
+    """alpha(theta) abs(N)^2 cos(theta/2), with a zero of the loop at exp(j theta)."""
     return -sp.Add(*(c * cos((delay + k + S.Half) * theta) for k, c in TERMS.items()))
 
 
 def damping(delay: Expr = d) -> Expr:
-    """beta(theta) |N|^2 sin(theta)."""
+    """beta(theta) abs(N)^2 sin(theta)."""
     return -sp.Add(*(c * sin((delay + k) * theta) for k, c in TERMS.items()))
 
 
@@ -57,7 +57,7 @@ def at_angle() -> Proposition:
 
 
 def explicit() -> Proposition:
-    """At each angle the walls with a zero there are those of the formulas."""
+    """At each angle the walls with a zero there are those of the two formulas."""
     inside = [theta > 0, theta < pi, Relation(SQUARE, "!=", S.Zero)]
     walls = (alpha, beta, *NUMBERS, theta)
     return ForAll(walls, implied([DEVICE, *inside], Iff((at_angle(), on_boundary()))))
@@ -65,7 +65,7 @@ def explicit() -> Proposition:
 
 @claims("s4d-delay-shrinks")
 def _delay_shrinks_the_region(printed: Printed) -> Proposition:
-    """What is stable with a larger delay is stable with a smaller one."""
+    """A wall that is stable with a larger delay is stable with a smaller one."""
     given = [*PLANT, d >= 0, d <= LATER, STABLE.at({d: LATER})]
     return ForAll((*LOOP, LATER), implied(given, STABLE))
 
@@ -75,13 +75,13 @@ HEAVIER = Symbol("delta'")
 
 
 START = sp.symbols("alpha_1 beta_1")
-"""A wall from which one goes on in some direction."""
+"""A wall, the start of a path in any direction."""
 WAY = Symbol("x")
-"""How far, as a share of the way to (alpha, beta)."""
+"""The share of the path to (alpha, beta)."""
 
 
 def reached() -> Proposition:
-    """All walls on the way to (alpha, beta) are stable."""
+    """All walls on the path to (alpha, beta) are stable."""
     on_it = {
         end: begin + WAY * (end - begin) for begin, end in zip(START, (alpha, beta), strict=True)
     }
@@ -90,12 +90,12 @@ def reached() -> Proposition:
 
 @claims("s4d-delta-grows")
 def _damping_enlarges_the_region(printed: Printed) -> Proposition:
-    """What is stable with a damper is so with a larger one, and the region grows to each side.
+    """A stable wall stays stable with a larger damper, and the region grows in every direction.
 
-    For the arms of (23) without delay, as in Fig. 7, of which it is said.  From a stable wall in
-    any direction: where the stable walls end, right of alpha = -gamma, the wall that is no longer
-    stable is so with the larger damper.  On the left nothing is gained: no wall is stable that is
-    not right of alpha = -gamma.
+    The claim is for the arms of (23) without delay, as in Fig. 7, to which the sentence refers. On
+    a path from a stable wall in any direction, let the stable walls end to the right of alpha =
+    -gamma. The wall at this end is stable with the larger damper. On the left the region does not
+    grow, because every stable wall lies to the right of alpha = -gamma.
     """
     more = STABLE.at({delta: HEAVIER})
     wider = ForAll(START, implied([alpha > -gamma, reached()], more))
@@ -106,7 +106,7 @@ def _damping_enlarges_the_region(printed: Printed) -> Proposition:
 
 
 def damping_can_destabilise() -> Proposition:
-    """With a stiff spring, gamma = 5, a wall is stable with a damper and not with a larger one."""
+    """With a stiff spring, gamma = 5, a wall is stable with a damper, not with a larger one."""
     wall = {gamma: S(5), d: S.Zero}
     lost = Not((STABLE.at({delta: HEAVIER}),))
     some = both([delta < HEAVIER, STABLE.at(wall), lost.at(wall)])
@@ -135,7 +135,7 @@ def in_units(
 
 @claims("s4d-all-stabilising")
 def _more_of_each_part_is_stable(printed: Printed) -> Proposition:
-    """A wall that is stable stays so with more mass, more damping and a stiffer spring."""
+    """A stable wall stays stable with more mass, more damping and a stiffer spring."""
     mass, damper, spring = MORE
     before, after = in_units(K, B, T, m, b, k), in_units(K, B, T, mass, damper, spring)
     more = [mass >= m, damper >= b, spring >= k]
@@ -147,14 +147,14 @@ MOST, AFTER = Symbol("x"), Symbol("beta_1")
 
 @claims("s4d-too-much-damping")
 def _damping_is_bounded_and_can_destabilise(printed: Printed) -> Proposition:
-    """For each arm and delay one bound of beta for all walls; and a wall that more beta loses."""
+    """For an arm and a delay one bound of beta holds; more beta can destabilise a wall."""
     bounded = Exists((MOST,), ForAll((alpha, beta), implied([STABLE], beta < MOST)))
     always = ForAll((gamma, delta, d), implied([*PLANT, d >= 0], bounded))
     return both([always, lost_by_damping()])
 
 
 def lost_by_damping() -> Exists:
-    """Some wall is stable, and is not with more virtual damping."""
+    """Some wall is stable, and is not stable with more virtual damping."""
     wall = [*PLANT, d >= 0, beta >= 0, beta < AFTER]
     return Exists((*LOOP, AFTER), both([*wall, STABLE, Not((STABLE.at({beta: AFTER}),))]))
 
@@ -164,12 +164,12 @@ SOON, HEAVY = Symbol("T'"), MORE[0]
 
 
 STIFFER, STRONGER = Symbol("K'"), Symbol("B'")
-"""The wall beside another mass, or at another rate."""
+"""The wall with another mass or at another rate."""
 
 
 @claims("s4d-quadratic-in-period")
 def _four_times_the_stiffness_at_twice_the_rate(printed: Printed) -> Proposition:
-    """Some B makes K stable at T where some B makes K' = 4 K stable at T/2, and only there.
+    """Some B makes K stable at T if and only if some B makes K' = 4 K stable at T/2.
 
     Arm and device are the same, m, b and k.
     """
@@ -181,9 +181,9 @@ def _four_times_the_stiffness_at_twice_the_rate(printed: Printed) -> Proposition
 
 @claims("s4d-damping-bound")
 def _linear_in_mass_and_rate(printed: Printed) -> Proposition:
-    """Beside some K a damping B is stable where B' = B (m'/T')/(m/T) is, for another m' and T'.
+    """For some K, B is stable if and only if B' = B (m'/T')/(m/T) is stable with m' and T'.
 
-    With the same damper and spring, b and k.
+    The damper and the spring are the same, b and k.
     """
     before = Exists((K,), in_units(K, B, T, m, b, k))
     scaled = B * (HEAVY / SOON) / (m / T)
@@ -194,11 +194,11 @@ def _linear_in_mass_and_rate(printed: Printed) -> Proposition:
 
 
 SHARE = Symbol("y")
-"""The mass of a lighter hand over that of a heavier one."""
+"""Ratio of the mass of a lighter hand to that of a heavier one."""
 
 
 def left_over(device: Expr = m_D) -> Expr:
-    """What the lighter hand leaves of the moving mass."""
+    """Ratio of the moving mass with the lighter hand to that with the heavier one."""
     return (device + SHARE * m_H) / (device + m_H)
 
 
@@ -206,7 +206,7 @@ HANDS = [T > 0, m_D > 0, m_H > 0, SHARE >= 0, SHARE < 1, d >= 0]
 
 
 def lighter_hand() -> Proposition:
-    """A wall is stable with the heavier hand where that share of it is with the lighter one."""
+    """A wall is stable with the heavier hand <=> this share of it is with the lighter hand."""
     heavy = in_units(K, B, T, m_D + m_H, S.Zero, S.Zero)
     rest = left_over()
     light = in_units(K * rest, B * rest, T, m_D + SHARE * m_H, S.Zero, S.Zero)
@@ -215,7 +215,7 @@ def lighter_hand() -> Proposition:
 
 @claims("s6-light-device")
 def _light_device(printed: Printed) -> Proposition:
-    """The share that is left rises with the mass of the device; without dampers and springs."""
+    """Without dampers and springs, the remaining share rises with the mass of the device."""
     given = [m_D > 0, m_H > 0, SHARE >= 0, SHARE < 1, m_D < HEAVY]
     rises = ForAll((m_D, m_H, SHARE, HEAVY), implied(given, left_over() < left_over(HEAVY)))
     return both([lighter_hand(), rises])
@@ -225,16 +225,15 @@ OTHER = Symbol("alpha_1")
 
 
 PIECE = Rational(1, 4), Rational(1, 2)
-"""Dampings beta between which the line is reached."""
+"""The dampings beta between which the region reaches the line."""
 
 
 @claims("s4d-left-bound")
 def _region_ends_on_the_left_line(printed: Printed) -> Proposition:
-    """For the arms of (23) no stable wall lies on the printed line or left of it, for integer
-    delays.
+    """For the arms of (23) every stable wall lies to the right of the published line.
 
-    Without delay, as in Fig. 7, it is a bound: for 1/4 <= beta <= 1/2 walls as near to it as one
-    likes are stable.
+    This is for integer delays. Without delay, as in Fig. 7, the line is the bound: for 1/4 <= beta
+    <= 1/2, stable walls come arbitrarily close to it.
     """
     [line] = map(proposition, printed)
     stable = STABLE.at({alpha: OTHER})
@@ -247,14 +246,14 @@ def _region_ends_on_the_left_line(printed: Printed) -> Proposition:
 
 
 REACH = Symbol("y")
-"""How far up and down a line is reached."""
+"""Half of the height over which the region reaches the line."""
 
 
 def damped_region_ends_on_the_line() -> Proposition:
     """For a damped arm the region ends on alpha = -gamma: without delay, and for d = 1.
 
-    No stable wall lies on it or left of it; and for each beta between -y and y, for some y, some
-    walls are stable that lie as near to it as one likes.  For d = 1 the spring is soft.
+    No stable wall lies on this line or to the left of it. For some y and each beta between -y and
+    y, stable walls come arbitrarily close to the line. For d = 1 the spring is soft.
     """
     stable = STABLE.at({alpha: OTHER})
     right = ForAll((OTHER, beta), implied([stable], alpha < OTHER))
