@@ -3,7 +3,7 @@
 From Symhaptic Require Export Control.
 From Coq Require Export String.
 From Coq Require Import Ascii.
-From Interval Require Import Xreal Interval Primitive_ops Float_full Tree Prog Eval Reify.
+From Interval Require Import Xreal Interval Primitive_ops Specific_bigint Specific_ops Float_full Tree Prog Eval Reify.
 Import List Tree.
 Open Scope list_scope.
 Open Scope R_scope.
@@ -70,19 +70,270 @@ Qed.
 End Precise.
 End Values.
 
-(* Primitive floats, for many pieces. *)
-Module Import Floats := Values PrimitiveFloat.
-Definition prec := PrimitiveFloat.PtoP 53.
-Notation ops := (Floats.ops prec).
-Notation nullary_of := (Floats.nullary_of prec).
-Notation value_of := (Floats.value_of prec).
-Notation has_nullary := (Floats.has_nullary prec).
-Notation has_unary := (Floats.has_unary prec).
-Notation has_binary := (Floats.has_binary prec).
-Notation has_value := (Floats.has_value prec).
-Notation ball := Ball.type.
+(* -- boxes of plants ------------------------------------------------------------------ *)
 
-(* -- slopes: f(x) - f(c) = s . (x - c) ------------------------------------------------ *)
+(* The way under a unit force that is held, from rest: y'' + d y' + g y = 1.  Its power series in
+   time; the pair has the coefficients of t^(k+1) and t^(k+2). *)
+Fixpoint ways (g d : R) (k : nat) : R * R :=
+  match k with
+  | O => (0, 1 / 2)
+  | S m =>
+      let (p, q) := ways g d m in
+      (q, - (d * q / INR (m + 3) + g * p / (INR (m + 3) * INR (m + 2))))
+  end.
+Definition held (g d x : R) : Prop := is_series (fun k => snd (ways g d k)) x.
+
+Lemma ways_next : forall g d k,
+  snd (ways g d (S (S k))) =
+  - (d * snd (ways g d (S k)) / INR (k + 4) + g * snd (ways g d k) / (INR (k + 4) * INR (k + 3))).
+Proof.
+  intros g d k; cbn [ways]; destruct (ways g d k) as [p q]; cbn [snd].
+  replace (S k + 3)%nat with (k + 4)%nat by lia; replace (S k + 2)%nat with (k + 3)%nat by lia.
+  reflexivity.
+Qed.
+
+(* The coefficients of the powers of the time, and that they fall as those of an exponential. *)
+Definition taylor (g d : R) (n : nat) : R := match n with S (S k) => snd (ways g d k) | _ => 0 end.
+Lemma taylor_next : forall g d n, INR (n + 2) * INR (n + 1) * taylor g d (S (S n)) + d * (INR (n + 1) * taylor g d (S n)) + g * taylor g d n =
+  match n with O => 1 | _ => 0 end.
+Proof.
+  intros g d [| [| n]]; [simpl; field | simpl; field |].
+  change (taylor g d (S (S (S (S n))))) with (snd (ways g d (S (S n)))); change (taylor g d (S (S (S n)))) with (snd (ways g d (S n))).
+  change (taylor g d (S (S n))) with (snd (ways g d n)); rewrite ways_next.
+  replace (S (S n) + 2)%nat with (n + 4)%nat by lia; replace (S (S n) + 1)%nat with (n + 3)%nat by lia.
+  assert (INR (n + 4) <> 0) by (apply not_0_INR; lia); assert (INR (n + 3) <> 0) by (apply not_0_INR; lia); field; split; assumption.
+Qed.
+Lemma taylor_falls : forall g d n, Rabs (taylor g d n) <= (1 + Rabs d + Rabs g) ^ n / INR (fact n).
+Proof.
+  intros g d; set (k := 1 + Rabs d + Rabs g); assert (K : 1 <= k) by (unfold k; generalize (Rabs_pos d) (Rabs_pos g); lra).
+  assert (B : forall n, Rabs (taylor g d n) * INR (fact n) <= k ^ n /\ Rabs (taylor g d (S n)) * INR (fact (S n)) <= k ^ S n).
+  { induction n as [| n [A B]].
+    - simpl; rewrite Rabs_R0; split; lra.
+    - split; [exact B |]; assert (T := taylor_next g d n).
+      assert (P1 : 0 < INR (n + 1)) by (apply lt_0_INR; lia); assert (P2 : 0 < INR (n + 2)) by (apply lt_0_INR; lia).
+      assert (Pf : 0 < INR (fact n)) by apply INR_fact_lt_0.
+      replace (INR (fact (S (S n)))) with (INR (n + 2) * INR (n + 1) * INR (fact n)).
+      2: { rewrite !fact_simpl, !mult_INR; replace (S (S n)) with (n + 2)%nat by lia; replace (S n) with (n + 1)%nat by lia; ring. }
+      replace (Rabs (taylor g d (S (S n))) * (INR (n + 2) * INR (n + 1) * INR (fact n))) with
+        (Rabs (INR (n + 2) * INR (n + 1) * taylor g d (S (S n))) * INR (fact n)).
+      2: { rewrite !Rabs_mult, (Rabs_pos_eq (INR (n + 2))), (Rabs_pos_eq (INR (n + 1))) by lra; ring. }
+      rewrite fact_simpl, mult_INR in B; replace (S n) with (n + 1)%nat in B by lia.
+      set (u := match n with O => 1 | _ => 0 end) in T.
+      replace (INR (n + 2) * INR (n + 1) * taylor g d (S (S n))) with (u - d * (INR (n + 1) * taylor g d (S n)) - g * taylor g d n) by lra.
+      assert (U : Rabs u * INR (fact n) <= k ^ S n).
+      { unfold u; destruct n; [simpl; rewrite Rabs_R1; lra | rewrite Rabs_R0, Rmult_0_l; apply pow_le; lra]. }
+      assert (Tr : Rabs (u - d * (INR (n + 1) * taylor g d (S n)) - g * taylor g d n) <=
+        Rabs u + Rabs d * (INR (n + 1) * Rabs (taylor g d (S n))) + Rabs g * Rabs (taylor g d n)).
+      { unfold Rminus; eapply Rle_trans; [apply Rabs_triang | apply Rplus_le_compat].
+        - eapply Rle_trans; [apply Rabs_triang |]; apply Rplus_le_compat_l; rewrite Rabs_Ropp, !Rabs_mult, (Rabs_pos_eq (INR (n + 1))) by lra; lra.
+        - rewrite Rabs_Ropp, Rabs_mult; lra. }
+      apply Rle_trans with ((Rabs u + Rabs d * (INR (n + 1) * Rabs (taylor g d (S n))) + Rabs g * Rabs (taylor g d n)) * INR (fact n)).
+      { apply Rmult_le_compat_r; [lra | exact Tr]. }
+      assert (Kn : k ^ n <= k ^ S n) by (simpl; assert (0 < k ^ n) by (apply pow_lt; lra); nra).
+      replace (n + 1)%nat with (S n) in * by lia.
+      assert (Q1 : Rabs d * (INR (S n) * Rabs (taylor g d (S n)) * INR (fact n)) <= Rabs d * k ^ S n).
+      { apply Rmult_le_compat_l; [apply Rabs_pos |]; eapply Rle_trans; [apply Req_le | exact B]; ring. }
+      assert (Q2 : Rabs g * (Rabs (taylor g d n) * INR (fact n)) <= Rabs g * k ^ S n).
+      { apply Rmult_le_compat_l; [apply Rabs_pos | lra]. }
+      assert (Sum : (Rabs u + Rabs d * (INR (S n) * Rabs (taylor g d (S n))) + Rabs g * Rabs (taylor g d n)) * INR (fact n) =
+        Rabs u * INR (fact n) + Rabs d * (INR (S n) * Rabs (taylor g d (S n)) * INR (fact n)) + Rabs g * (Rabs (taylor g d n) * INR (fact n))) by ring.
+      rewrite Sum; apply Rle_trans with (k ^ S n + Rabs d * k ^ S n + Rabs g * k ^ S n); [lra |].
+      change (k ^ S (S n)) with (k * k ^ S n); replace (k * k ^ S n) with ((1 + Rabs d + Rabs g) * k ^ S n) by reflexivity; lra. }
+  intro n; assert (P : 0 < INR (fact n)) by apply INR_fact_lt_0; apply Rle_div_r; [exact P | apply B].
+Qed.
+Lemma below_exp : forall z n, 0 <= z -> z ^ n / INR (fact n) <= exp z.
+Proof.
+  intros z n Z; assert (P : forall k, 0 <= z ^ k * / INR (fact k)).
+  { intro k; apply Rmult_le_pos; [apply pow_le, Z | apply Rlt_le, Rinv_0_lt_compat, INR_fact_lt_0]. }
+  assert (E := is_exp_Reals z); apply is_pseries_R in E.
+  assert (I : forall m, sum_n (fun k => / INR (fact k) * z ^ k) m <= sum_n (fun k => / INR (fact k) * z ^ k) (S m)).
+  { intro m; rewrite sum_Sn; change plus with Rplus; generalize (P (S m)); rewrite Rmult_comm; lra. }
+  assert (L := is_lim_seq_incr_compare _ (exp z) E I n); eapply Rle_trans; [| exact L].
+  destruct n as [| n]; [rewrite sum_O; simpl; lra |].
+  rewrite sum_Sn; assert (0 <= sum_n (fun k => / INR (fact k) * z ^ k) n).
+  { clear - P; induction n as [| n IH]; [rewrite sum_O; rewrite Rmult_comm; apply P |].
+    rewrite sum_Sn; change plus with Rplus; apply Rplus_le_le_0_compat; [exact IH | rewrite Rmult_comm; apply P]. }
+  eapply Rle_trans; [| apply Rplus_le_compat_r; exact H]; unfold Rdiv; apply Req_le; ring.
+Qed.
+Lemma taylor_converges : forall g d, CV_radius (taylor g d) = p_infty.
+Proof.
+  intros g d; set (k := 1 + Rabs d + Rabs g); assert (K : 1 <= k) by (unfold k; generalize (Rabs_pos d) (Rabs_pos g); lra).
+  assert (L : forall r : R, 0 <= r -> Rbar_le r (CV_radius (taylor g d))).
+  { intros r R0; destruct (CV_radius_bounded (taylor g d)) as [U _]; apply U.
+    exists (exp (k * r)); intro n; rewrite Rabs_mult, (Rabs_pos_eq (r ^ n)) by (apply pow_le, R0).
+    apply Rle_trans with ((k * r) ^ n / INR (fact n)); [| apply below_exp, Rmult_le_pos; lra].
+    rewrite Rpow_mult_distr; unfold Rdiv; rewrite (Rmult_comm (k ^ n)), Rmult_assoc, (Rmult_comm (r ^ n)).
+    apply Rmult_le_compat_r; [apply pow_le, R0 | apply taylor_falls]. }
+  destruct (CV_radius (taylor g d)) as [r | |]; [exfalso | reflexivity | exfalso; exact (L 0 (Rle_refl 0))].
+  assert (A := L (Rabs r + 1) ltac:(generalize (Rabs_pos r); lra)); simpl in A; generalize (Rle_abs r); lra.
+Qed.
+Lemma no_series : is_series (fun _ : nat => 0) 0.
+Proof. apply (filterlim_ext (fun _ => 0)); [intro n; rewrite sum_n_const; ring | apply filterlim_const]. Qed.
+(* The sum of the series in time is the motion under a unit force. *)
+Lemma series_moves : forall g d, moves g d 1 (PSeries (taylor g d)) (PSeries (PS_derive (taylor g d))).
+Proof.
+  intros g d t; set (a := taylor g d); assert (R0 : CV_radius a = p_infty) by apply taylor_converges.
+  assert (R1 : CV_radius (PS_derive a) = p_infty) by (rewrite CV_radius_derive; exact R0).
+  split; [apply is_derive_PSeries; rewrite R0; exact I |].
+  evar_last; [apply is_derive_PSeries; rewrite R1; exact I |].
+  assert (C : forall b, CV_radius b = p_infty -> ex_pseries b t) by (intros b B; apply CV_radius_inside; rewrite B; exact I).
+  assert (E : PSeries (PS_derive (PS_derive a)) t + d * PSeries (PS_derive a) t + g * PSeries a t = 1).
+  { assert (C2 : CV_radius (PS_derive (PS_derive a)) = p_infty) by (rewrite CV_radius_derive; exact R1).
+    assert (S0 := PSeries_correct _ _ (C _ R0)); assert (S1 := PSeries_correct _ _ (C _ R1)); assert (S2 := PSeries_correct _ _ (C _ C2)).
+    assert (T1 := is_pseries_scal d _ t _ (Rmult_comm _ _) S1); assert (T0 := is_pseries_scal g _ t _ (Rmult_comm _ _) S0).
+    assert (T := is_pseries_plus _ _ t _ _ (is_pseries_plus _ _ t _ _ S2 T1) T0).
+    apply (is_pseries_ext _ (fun n => match n with O => 1 | _ => 0 end)) in T.
+    - assert (One : is_pseries (fun n => match n with O => 1 | _ => 0 end) t 1).
+      { apply is_pseries_R, is_series_decr_1.
+        evar_last; [apply (is_series_ext (fun _ => 0)); [intro n; change (0 = 0 * t ^ S n); ring | apply no_series] |].
+        unfold plus, opp; simpl; ring. }
+      apply is_pseries_unique in T; apply is_pseries_unique in One; rewrite One in T; symmetry; exact T.
+    - intro n; transitivity (INR (n + 2) * INR (n + 1) * taylor g d (S (S n)) + d * (INR (n + 1) * taylor g d (S n)) + g * taylor g d n); [| apply taylor_next]; unfold PS_plus, PS_scal, PS_derive.
+      change plus with Rplus; change scal with Rmult; fold a; replace (n + 2)%nat with (S (S n)) by lia; replace (n + 1)%nat with (S n) by lia.
+      rewrite !S_INR; match goal with |- ?x = ?y => change (@eq R x y) end; ring. }
+  lra.
+Qed.
+
+Theorem on_plants : forall g d n1 n0 a e : R, device g d n1 n0 a e ->
+  held g d n1 /\ held g (- d) (n0 / exp (- d)) /\ e = exp (- d) /\ 1 - a + e = g * (n1 + n0).
+Proof.
+  intros g d n1 n0 a e V; assert (Start : forall k, PSeries (taylor g k) 0 = 0 /\ PSeries (PS_derive (taylor g k)) 0 = 0).
+  { intro k; rewrite !PSeries_0; unfold PS_derive; simpl; split; ring. }
+  assert (Sum : forall k, held g k (PSeries (taylor g k) 1)).
+  { intro k; unfold held; assert (R0 : CV_radius (taylor g k) = p_infty) by apply taylor_converges.
+    assert (P := PSeries_correct (taylor g k) 1 ltac:(apply CV_radius_inside; rewrite R0; exact I)); apply is_pseries_R in P.
+    apply (is_series_ext _ (taylor g k)) in P; [| intro n; rewrite pow1; apply Rmult_1_r].
+    apply (is_series_incr_n (taylor g k) 2); [lia |].
+    evar_last; [exact P |]; simpl pred; rewrite sum_Sn, sum_O; unfold plus; simpl; ring. }
+  assert (W := V); destruct W as (x1 & v1 & x2 & v2 & x3 & v3 & M & A & E & N1 & N0).
+  repeat split.
+  - rewrite N1; destruct (one_motion g d 1 _ _ _ _ (third _ _ _ _ _ _ _ _ M) (series_moves g d)) with (t := 1) as [X _];
+      [rewrite (third_place _ _ _ _ _ _ _ _ M); symmetry; apply Start | rewrite (third_speed _ _ _ _ _ _ _ _ M); symmetry; apply Start | lra |].
+    rewrite X; apply Sum.
+  - (* exp(d t) times the motion under the force exp(-d t) is that of the damping - d *)
+    set (w := fun t => x2 t * x2 t - v2 t * x3 t); set (s := fun t => x2 t - d * w t).
+    assert (B : moves g (- d) 1 (fun t => exp (d * t) * w t) (fun t => exp (d * t) * (s t + d * w t))).
+    { intro t; assert (P : is_derive w t (s t)) by apply (fading_force _ _ _ _ _ _ _ _ M t).
+      assert (Q : is_derive s t (exp (- d * t) - d * s t - g * w t)) by apply (fading_force _ _ _ _ _ _ _ _ M t).
+      assert (P' : Derive (fun t => w t) t = s t) by (apply is_derive_unique; exact P).
+      assert (Q' : Derive (fun t => s t) t = exp (- d * t) - d * s t - g * w t) by (apply is_derive_unique; exact Q).
+      assert (F : exp (d * t) * exp (- d * t) = 1) by (rewrite <- exp_plus, <- exp_0; f_equal; ring).
+      clearbody w s; split.
+      - auto_derive; [repeat split; eexists; eassumption | rewrite P'; ring].
+      - auto_derive; [repeat split; eexists; eassumption | rewrite P', Q'].
+        transitivity (exp (d * t) * exp (- d * t) + d * exp (d * t) * (s t + d * w t) - g * (exp (d * t) * w t)); [ring | rewrite F; ring]. }
+    destruct (one_motion g (- d) 1 _ _ _ _ B (series_moves g (- d))) with (t := 1) as [X _]; [| | lra |].
+    + rewrite (proj1 (Start (- d))); unfold w; rewrite (second_place _ _ _ _ _ _ _ _ M), (third_place _ _ _ _ _ _ _ _ M); ring.
+    + rewrite (proj2 (Start (- d))); unfold s, w; rewrite (second_place _ _ _ _ _ _ _ _ M), (third_place _ _ _ _ _ _ _ _ M); ring.
+    + replace (n0 / exp (- d)) with (PSeries (taylor g (- d)) 1); [apply Sum |].
+      rewrite <- X, N0, Rmult_1_r; destruct (held_force _ _ _ _ _ _ _ _ M 1) as (H & _); rewrite H.
+      unfold w; rewrite exp_Ropp; field; apply Rgt_not_eq, exp_pos.
+  - exact (device_loss _ _ _ _ _ _ V).
+  - generalize (device_at_rest _ _ _ _ _ _ V); lra.
+Qed.
+
+(* Up to t^8, what follows is less than the next coefficients say. *)
+Definition way (g d : R) : R :=
+  1/2 - d/6 + (d^2 - g)/24 - (d^3 - 2*g*d)/120 + (d^4 - 3*g*d^2 + g^2)/720
+  - (d^5 - 4*g*d^3 + 3*g^2*d)/5040 + (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3)/40320.
+Definition small (g d M : R) : Prop :=
+  Rabs (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) <= 40320 * M /\
+  Rabs (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) <= 181440 * M.
+
+Lemma ways_sum : forall g d, sum_n (fun k => snd (ways g d k)) 6 = way g d.
+Proof. intros; rewrite sum_n_Reals; unfold way; simpl; field. Qed.
+
+Lemma ways_fall : forall g d M, Rabs g <= 1 -> Rabs d <= 1 -> small g d M -> forall k,
+  Rabs (snd (ways g d (6 + k))) <= M * (1/2) ^ k /\ Rabs (snd (ways g d (7 + k))) <= M * (1/2) ^ (S k).
+Proof.
+  intros g d M G D [P Q] k; induction k as [| k [A B]].
+  - rewrite !Nat.add_0_r; split.
+    + replace (snd (ways g d 6)) with ((d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) / 40320) by (simpl; field).
+      unfold Rdiv; rewrite Rabs_mult, (Rabs_pos_eq (/ 40320)) by lra; rewrite pow_O; lra.
+    + replace (snd (ways g d 7)) with (- (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) / 362880) by (simpl; field).
+      unfold Rdiv; rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (/ 362880)) by lra; rewrite pow_1; lra.
+  - split; [replace (6 + S k)%nat with (7 + k)%nat by lia; exact B |].
+    replace (7 + S k)%nat with (S (S (6 + k))) by lia; rewrite ways_next.
+    replace (S (6 + k)) with (7 + k)%nat by lia.
+    assert (T : 10 <= INR (6 + k + 4)) by (rewrite !plus_INR; simpl; generalize (pos_INR k); lra).
+    assert (U : 9 <= INR (6 + k + 3)) by (rewrite !plus_INR; simpl; generalize (pos_INR k); lra).
+    set (t := INR (6 + k + 4)) in *; set (u := INR (6 + k + 3)) in *; clearbody t u.
+    set (x := snd (ways g d (7 + k))) in *; set (y := snd (ways g d (6 + k))) in *; clearbody x y.
+    set (m := M * (1/2) ^ k) in *.
+    replace (M * (1/2) ^ S k) with (m / 2) in B by (unfold m; simpl; field).
+    replace (M * (1/2) ^ S (S k)) with (m / 4) by (unfold m; simpl; field); clearbody m.
+    rewrite Rabs_Ropp; apply Rle_trans with (1 := Rabs_triang _ _).
+    assert (I : Rabs (d * x / t) <= m / 20).
+    { unfold Rdiv; rewrite !Rabs_mult; rewrite (Rabs_pos_eq (/ t)) by (apply Rlt_le, Rinv_0_lt_compat; lra).
+      replace (m * / 20) with (1 * (m / 2) * / 10) by field.
+      apply Rmult_le_compat; [apply Rmult_le_pos; apply Rabs_pos | apply Rlt_le, Rinv_0_lt_compat; lra | |].
+      - apply Rmult_le_compat; try apply Rabs_pos; assumption.
+      - apply Rinv_le_contravar; lra. }
+    assert (J : Rabs (g * y / (t * u)) <= m / 90).
+    { unfold Rdiv; rewrite !Rabs_mult.
+      assert (90 <= t * u) by nra.
+      rewrite (Rabs_pos_eq (/ (t * u))) by (apply Rlt_le, Rinv_0_lt_compat; lra).
+      replace (m * / 90) with (1 * m * / 90) by field.
+      apply Rmult_le_compat; [apply Rmult_le_pos; apply Rabs_pos | apply Rlt_le, Rinv_0_lt_compat; lra | |].
+      - apply Rmult_le_compat; try apply Rabs_pos; assumption.
+      - apply Rinv_le_contravar; lra. }
+    assert (0 <= m) by (apply Rle_trans with (2 := A); apply Rabs_pos); lra.
+Qed.
+
+Lemma held_near : forall g d x M, Rabs g <= 1 -> Rabs d <= 1 -> small g d M -> held g d x ->
+  exists r, - M <= r <= M /\ x = way g d + r.
+Proof.
+  intros g d x M G D S H; exists (x - way g d); split; [| ring].
+  set (b := fun k => snd (ways g d (7 + k))).
+  assert (B : is_series b (x - way g d)).
+  { apply (is_series_incr_n (fun k => snd (ways g d k)) 7); [lia |].
+    simpl Init.Nat.pred; rewrite ways_sum; change plus with Rplus.
+    replace (x - way g d + way g d) with x by ring; exact H. }
+  assert (F : forall k, Rabs (b k) <= M / 2 * (1/2) ^ k).
+  { intro k; replace (M / 2 * (1/2) ^ k) with (M * (1/2) ^ (Datatypes.S k)) by (simpl; field).
+    apply (ways_fall g d M G D S k). }
+  assert (T : is_series (fun k => M / 2 * (1/2) ^ k) M).
+  { assert (W : Rabs (1/2) < 1) by (rewrite Rabs_pos_eq; lra).
+    assert (V : is_series (fun k => M / 2 * (1/2) ^ k) (M / 2 * (/ (1 - 1/2))))
+      by exact (is_series_scal (M / 2) (fun k => (1/2) ^ k) (/ (1 - 1/2)) (is_series_geom (1/2) W)).
+    replace (M / 2 * / (1 - 1/2)) with M in V by field; exact V. }
+  assert (X : ex_series (fun k => Rabs (b k))).
+  { apply (ex_series_le (fun k => Rabs (b k)) (fun k => M / 2 * (1/2) ^ k)); [| exists M; exact T].
+    intro k; unfold norm; simpl; unfold abs; simpl; rewrite Rabs_Rabsolu; apply F. }
+  assert (Y : Rabs (x - way g d) <= M).
+  { rewrite <- (is_series_unique _ _ B), <- (is_series_unique _ _ T).
+    apply Rle_trans with (1 := Series_Rabs b X).
+    apply Series_le; [| exists M; exact T]; intro k; split; [apply Rabs_pos | apply F]. }
+  apply Rabs_le_between; exact Y.
+Qed.
+
+(* A bound of what follows t^8. *)
+Definition left_out (g d : R) : R :=
+  Rabs (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) / 40320 + Rabs (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) / 181440.
+Lemma small_left_out : forall g d, small g d (left_out g d).
+Proof.
+  intros g d; unfold small, left_out.
+  assert (P := Rabs_pos (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3)).
+  assert (Q := Rabs_pos (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d)); split; lra.
+Qed.
+Lemma held_within : forall g d x, Rabs g <= 1 -> Rabs d <= 1 -> held g d x ->
+  exists r, Rabs r <= left_out g d /\ x = way g d + r.
+Proof.
+  intros g d x G D H; destruct (held_near g d x (left_out g d) G D (small_left_out g d) H) as (r & B & E).
+  exists r; split; [apply Rabs_le; exact B | exact E].
+Qed.
+Lemma sampled : forall g d n1 n0 a e : R, device g d n1 n0 a e -> Rabs g <= 1 -> Rabs d <= 1 ->
+  exists r s, Rabs r <= left_out g d /\ Rabs s <= left_out g (- d) /\ n1 = way g d + r /\
+    n0 = exp (- d) * (way g (- d) + s) /\ e = exp (- d) /\ - a + e + 1 = g * (n1 + n0).
+Proof.
+  intros g d n1 n0 a e V G D; destruct (on_plants g d n1 n0 a e V) as (P & Q & E & A).
+  destruct (held_within g d n1 G D P) as (r & R & X).
+  destruct (held_within g (- d) _ G ltac:(rewrite Rabs_Ropp; exact D) Q) as (t & T & Y).
+  exists r, t; repeat split; try assumption; [| lra].
+  rewrite <- Y; field; apply Rgt_not_eq, exp_pos.
+Qed.
+
+(* -- sums of lists -------------------------------------------------------------------- *)
 
 Fixpoint termwise {T} (add : T -> T -> T) (a b : list T) : list T :=
   match a, b with
@@ -104,6 +355,24 @@ Proof.
 Qed.
 Lemma dot_times : forall k a h, dot (map (Rmult k) a) h = k * dot a h.
 Proof. intros k; induction a as [| x a IH]; intros [| z h]; simpl; try ring; rewrite IH; ring. Qed.
+
+(* Boxes with floats of one kind and length. *)
+Module Type Length (F : Sig.FloatOps).
+Parameter prec : F.precision.
+End Length.
+Module Boxes (F : Sig.FloatOps with Definition sensible_format := true) (Floats_have : Length F).
+Module Import Floats := Values F.
+Definition prec := Floats_have.prec.
+Notation ops := (Floats.ops prec).
+Notation nullary_of := (Floats.nullary_of prec).
+Notation value_of := (Floats.value_of prec).
+Notation has_nullary := (Floats.has_nullary prec).
+Notation has_unary := (Floats.has_unary prec).
+Notation has_binary := (Floats.has_binary prec).
+Notation has_value := (Floats.has_value prec).
+Notation ball := Ball.type.
+
+(* -- slopes: f(x) - f(c) = s . (x - c) ------------------------------------------------ *)
 
 (* A function on a box: its values; its value in the middle and its slopes, where they are known. *)
 Record node := Node { values : ball; slopes : option (ball * list ball) }.
@@ -460,279 +729,6 @@ Proof.
 Qed.
 End Pieces.
 
-(* -- boxes of plants ------------------------------------------------------------------ *)
-
-(* The way under a unit force that is held, from rest: y'' + d y' + g y = 1.  Its power series in
-   time; the pair has the coefficients of t^(k+1) and t^(k+2). *)
-Fixpoint ways (g d : R) (k : nat) : R * R :=
-  match k with
-  | O => (0, 1 / 2)
-  | S m =>
-      let (p, q) := ways g d m in
-      (q, - (d * q / INR (m + 3) + g * p / (INR (m + 3) * INR (m + 2))))
-  end.
-Definition held (g d x : R) : Prop := is_series (fun k => snd (ways g d k)) x.
-
-Lemma ways_next : forall g d k,
-  snd (ways g d (S (S k))) =
-  - (d * snd (ways g d (S k)) / INR (k + 4) + g * snd (ways g d k) / (INR (k + 4) * INR (k + 3))).
-Proof.
-  intros g d k; cbn [ways]; destruct (ways g d k) as [p q]; cbn [snd].
-  replace (S k + 3)%nat with (k + 4)%nat by lia; replace (S k + 2)%nat with (k + 3)%nat by lia.
-  reflexivity.
-Qed.
-
-(* The coefficients of the powers of the time, and that they fall as those of an exponential. *)
-Definition taylor (g d : R) (n : nat) : R := match n with S (S k) => snd (ways g d k) | _ => 0 end.
-Lemma taylor_next : forall g d n, INR (n + 2) * INR (n + 1) * taylor g d (S (S n)) + d * (INR (n + 1) * taylor g d (S n)) + g * taylor g d n =
-  match n with O => 1 | _ => 0 end.
-Proof.
-  intros g d [| [| n]]; [simpl; field | simpl; field |].
-  change (taylor g d (S (S (S (S n))))) with (snd (ways g d (S (S n)))); change (taylor g d (S (S (S n)))) with (snd (ways g d (S n))).
-  change (taylor g d (S (S n))) with (snd (ways g d n)); rewrite ways_next.
-  replace (S (S n) + 2)%nat with (n + 4)%nat by lia; replace (S (S n) + 1)%nat with (n + 3)%nat by lia.
-  assert (INR (n + 4) <> 0) by (apply not_0_INR; lia); assert (INR (n + 3) <> 0) by (apply not_0_INR; lia); field; split; assumption.
-Qed.
-Lemma taylor_falls : forall g d n, Rabs (taylor g d n) <= (1 + Rabs d + Rabs g) ^ n / INR (fact n).
-Proof.
-  intros g d; set (k := 1 + Rabs d + Rabs g); assert (K : 1 <= k) by (unfold k; generalize (Rabs_pos d) (Rabs_pos g); lra).
-  assert (B : forall n, Rabs (taylor g d n) * INR (fact n) <= k ^ n /\ Rabs (taylor g d (S n)) * INR (fact (S n)) <= k ^ S n).
-  { induction n as [| n [A B]].
-    - simpl; rewrite Rabs_R0; split; lra.
-    - split; [exact B |]; assert (T := taylor_next g d n).
-      assert (P1 : 0 < INR (n + 1)) by (apply lt_0_INR; lia); assert (P2 : 0 < INR (n + 2)) by (apply lt_0_INR; lia).
-      assert (Pf : 0 < INR (fact n)) by apply INR_fact_lt_0.
-      replace (INR (fact (S (S n)))) with (INR (n + 2) * INR (n + 1) * INR (fact n)).
-      2: { rewrite !fact_simpl, !mult_INR; replace (S (S n)) with (n + 2)%nat by lia; replace (S n) with (n + 1)%nat by lia; ring. }
-      replace (Rabs (taylor g d (S (S n))) * (INR (n + 2) * INR (n + 1) * INR (fact n))) with
-        (Rabs (INR (n + 2) * INR (n + 1) * taylor g d (S (S n))) * INR (fact n)).
-      2: { rewrite !Rabs_mult, (Rabs_pos_eq (INR (n + 2))), (Rabs_pos_eq (INR (n + 1))) by lra; ring. }
-      rewrite fact_simpl, mult_INR in B; replace (S n) with (n + 1)%nat in B by lia.
-      set (u := match n with O => 1 | _ => 0 end) in T.
-      replace (INR (n + 2) * INR (n + 1) * taylor g d (S (S n))) with (u - d * (INR (n + 1) * taylor g d (S n)) - g * taylor g d n) by lra.
-      assert (U : Rabs u * INR (fact n) <= k ^ S n).
-      { unfold u; destruct n; [simpl; rewrite Rabs_R1; lra | rewrite Rabs_R0, Rmult_0_l; apply pow_le; lra]. }
-      assert (Tr : Rabs (u - d * (INR (n + 1) * taylor g d (S n)) - g * taylor g d n) <=
-        Rabs u + Rabs d * (INR (n + 1) * Rabs (taylor g d (S n))) + Rabs g * Rabs (taylor g d n)).
-      { unfold Rminus; eapply Rle_trans; [apply Rabs_triang | apply Rplus_le_compat].
-        - eapply Rle_trans; [apply Rabs_triang |]; apply Rplus_le_compat_l; rewrite Rabs_Ropp, !Rabs_mult, (Rabs_pos_eq (INR (n + 1))) by lra; lra.
-        - rewrite Rabs_Ropp, Rabs_mult; lra. }
-      apply Rle_trans with ((Rabs u + Rabs d * (INR (n + 1) * Rabs (taylor g d (S n))) + Rabs g * Rabs (taylor g d n)) * INR (fact n)).
-      { apply Rmult_le_compat_r; [lra | exact Tr]. }
-      assert (Kn : k ^ n <= k ^ S n) by (simpl; assert (0 < k ^ n) by (apply pow_lt; lra); nra).
-      replace (n + 1)%nat with (S n) in * by lia.
-      assert (Q1 : Rabs d * (INR (S n) * Rabs (taylor g d (S n)) * INR (fact n)) <= Rabs d * k ^ S n).
-      { apply Rmult_le_compat_l; [apply Rabs_pos |]; eapply Rle_trans; [apply Req_le | exact B]; ring. }
-      assert (Q2 : Rabs g * (Rabs (taylor g d n) * INR (fact n)) <= Rabs g * k ^ S n).
-      { apply Rmult_le_compat_l; [apply Rabs_pos | lra]. }
-      assert (Sum : (Rabs u + Rabs d * (INR (S n) * Rabs (taylor g d (S n))) + Rabs g * Rabs (taylor g d n)) * INR (fact n) =
-        Rabs u * INR (fact n) + Rabs d * (INR (S n) * Rabs (taylor g d (S n)) * INR (fact n)) + Rabs g * (Rabs (taylor g d n) * INR (fact n))) by ring.
-      rewrite Sum; apply Rle_trans with (k ^ S n + Rabs d * k ^ S n + Rabs g * k ^ S n); [lra |].
-      change (k ^ S (S n)) with (k * k ^ S n); replace (k * k ^ S n) with ((1 + Rabs d + Rabs g) * k ^ S n) by reflexivity; lra. }
-  intro n; assert (P : 0 < INR (fact n)) by apply INR_fact_lt_0; apply Rle_div_r; [exact P | apply B].
-Qed.
-Lemma below_exp : forall z n, 0 <= z -> z ^ n / INR (fact n) <= exp z.
-Proof.
-  intros z n Z; assert (P : forall k, 0 <= z ^ k * / INR (fact k)).
-  { intro k; apply Rmult_le_pos; [apply pow_le, Z | apply Rlt_le, Rinv_0_lt_compat, INR_fact_lt_0]. }
-  assert (E := is_exp_Reals z); apply is_pseries_R in E.
-  assert (I : forall m, sum_n (fun k => / INR (fact k) * z ^ k) m <= sum_n (fun k => / INR (fact k) * z ^ k) (S m)).
-  { intro m; rewrite sum_Sn; change plus with Rplus; generalize (P (S m)); rewrite Rmult_comm; lra. }
-  assert (L := is_lim_seq_incr_compare _ (exp z) E I n); eapply Rle_trans; [| exact L].
-  destruct n as [| n]; [rewrite sum_O; simpl; lra |].
-  rewrite sum_Sn; assert (0 <= sum_n (fun k => / INR (fact k) * z ^ k) n).
-  { clear - P; induction n as [| n IH]; [rewrite sum_O; rewrite Rmult_comm; apply P |].
-    rewrite sum_Sn; change plus with Rplus; apply Rplus_le_le_0_compat; [exact IH | rewrite Rmult_comm; apply P]. }
-  eapply Rle_trans; [| apply Rplus_le_compat_r; exact H]; unfold Rdiv; apply Req_le; ring.
-Qed.
-Lemma taylor_converges : forall g d, CV_radius (taylor g d) = p_infty.
-Proof.
-  intros g d; set (k := 1 + Rabs d + Rabs g); assert (K : 1 <= k) by (unfold k; generalize (Rabs_pos d) (Rabs_pos g); lra).
-  assert (L : forall r : R, 0 <= r -> Rbar_le r (CV_radius (taylor g d))).
-  { intros r R0; destruct (CV_radius_bounded (taylor g d)) as [U _]; apply U.
-    exists (exp (k * r)); intro n; rewrite Rabs_mult, (Rabs_pos_eq (r ^ n)) by (apply pow_le, R0).
-    apply Rle_trans with ((k * r) ^ n / INR (fact n)); [| apply below_exp, Rmult_le_pos; lra].
-    rewrite Rpow_mult_distr; unfold Rdiv; rewrite (Rmult_comm (k ^ n)), Rmult_assoc, (Rmult_comm (r ^ n)).
-    apply Rmult_le_compat_r; [apply pow_le, R0 | apply taylor_falls]. }
-  destruct (CV_radius (taylor g d)) as [r | |]; [exfalso | reflexivity | exfalso; exact (L 0 (Rle_refl 0))].
-  assert (A := L (Rabs r + 1) ltac:(generalize (Rabs_pos r); lra)); simpl in A; generalize (Rle_abs r); lra.
-Qed.
-Lemma no_series : is_series (fun _ : nat => 0) 0.
-Proof. apply (filterlim_ext (fun _ => 0)); [intro n; rewrite sum_n_const; ring | apply filterlim_const]. Qed.
-(* The sum of the series in time is the motion under a unit force. *)
-Lemma series_moves : forall g d, moves g d 1 (PSeries (taylor g d)) (PSeries (PS_derive (taylor g d))).
-Proof.
-  intros g d t; set (a := taylor g d); assert (R0 : CV_radius a = p_infty) by apply taylor_converges.
-  assert (R1 : CV_radius (PS_derive a) = p_infty) by (rewrite CV_radius_derive; exact R0).
-  split; [apply is_derive_PSeries; rewrite R0; exact I |].
-  evar_last; [apply is_derive_PSeries; rewrite R1; exact I |].
-  assert (C : forall b, CV_radius b = p_infty -> ex_pseries b t) by (intros b B; apply CV_radius_inside; rewrite B; exact I).
-  assert (E : PSeries (PS_derive (PS_derive a)) t + d * PSeries (PS_derive a) t + g * PSeries a t = 1).
-  { assert (C2 : CV_radius (PS_derive (PS_derive a)) = p_infty) by (rewrite CV_radius_derive; exact R1).
-    assert (S0 := PSeries_correct _ _ (C _ R0)); assert (S1 := PSeries_correct _ _ (C _ R1)); assert (S2 := PSeries_correct _ _ (C _ C2)).
-    assert (T1 := is_pseries_scal d _ t _ (Rmult_comm _ _) S1); assert (T0 := is_pseries_scal g _ t _ (Rmult_comm _ _) S0).
-    assert (T := is_pseries_plus _ _ t _ _ (is_pseries_plus _ _ t _ _ S2 T1) T0).
-    apply (is_pseries_ext _ (fun n => match n with O => 1 | _ => 0 end)) in T.
-    - assert (One : is_pseries (fun n => match n with O => 1 | _ => 0 end) t 1).
-      { apply is_pseries_R, is_series_decr_1.
-        evar_last; [apply (is_series_ext (fun _ => 0)); [intro n; change (0 = 0 * t ^ S n); ring | apply no_series] |].
-        unfold plus, opp; simpl; ring. }
-      apply is_pseries_unique in T; apply is_pseries_unique in One; rewrite One in T; symmetry; exact T.
-    - intro n; transitivity (INR (n + 2) * INR (n + 1) * taylor g d (S (S n)) + d * (INR (n + 1) * taylor g d (S n)) + g * taylor g d n); [| apply taylor_next]; unfold PS_plus, PS_scal, PS_derive.
-      change plus with Rplus; change scal with Rmult; fold a; replace (n + 2)%nat with (S (S n)) by lia; replace (n + 1)%nat with (S n) by lia.
-      rewrite !S_INR; match goal with |- ?x = ?y => change (@eq R x y) end; ring. }
-  lra.
-Qed.
-
-Theorem on_plants : forall g d n1 n0 a e : R, device g d n1 n0 a e ->
-  held g d n1 /\ held g (- d) (n0 / exp (- d)) /\ e = exp (- d) /\ 1 - a + e = g * (n1 + n0).
-Proof.
-  intros g d n1 n0 a e V; assert (Start : forall k, PSeries (taylor g k) 0 = 0 /\ PSeries (PS_derive (taylor g k)) 0 = 0).
-  { intro k; rewrite !PSeries_0; unfold PS_derive; simpl; split; ring. }
-  assert (Sum : forall k, held g k (PSeries (taylor g k) 1)).
-  { intro k; unfold held; assert (R0 : CV_radius (taylor g k) = p_infty) by apply taylor_converges.
-    assert (P := PSeries_correct (taylor g k) 1 ltac:(apply CV_radius_inside; rewrite R0; exact I)); apply is_pseries_R in P.
-    apply (is_series_ext _ (taylor g k)) in P; [| intro n; rewrite pow1; apply Rmult_1_r].
-    apply (is_series_incr_n (taylor g k) 2); [lia |].
-    evar_last; [exact P |]; simpl pred; rewrite sum_Sn, sum_O; unfold plus; simpl; ring. }
-  assert (W := V); destruct W as (x1 & v1 & x2 & v2 & x3 & v3 & M & A & E & N1 & N0).
-  repeat split.
-  - rewrite N1; destruct (one_motion g d 1 _ _ _ _ (third _ _ _ _ _ _ _ _ M) (series_moves g d)) with (t := 1) as [X _];
-      [rewrite (third_place _ _ _ _ _ _ _ _ M); symmetry; apply Start | rewrite (third_speed _ _ _ _ _ _ _ _ M); symmetry; apply Start | lra |].
-    rewrite X; apply Sum.
-  - (* exp(d t) times the motion under the force exp(-d t) is that of the damping - d *)
-    set (w := fun t => x2 t * x2 t - v2 t * x3 t); set (s := fun t => x2 t - d * w t).
-    assert (B : moves g (- d) 1 (fun t => exp (d * t) * w t) (fun t => exp (d * t) * (s t + d * w t))).
-    { intro t; assert (P : is_derive w t (s t)) by apply (fading_force _ _ _ _ _ _ _ _ M t).
-      assert (Q : is_derive s t (exp (- d * t) - d * s t - g * w t)) by apply (fading_force _ _ _ _ _ _ _ _ M t).
-      assert (P' : Derive (fun t => w t) t = s t) by (apply is_derive_unique; exact P).
-      assert (Q' : Derive (fun t => s t) t = exp (- d * t) - d * s t - g * w t) by (apply is_derive_unique; exact Q).
-      assert (F : exp (d * t) * exp (- d * t) = 1) by (rewrite <- exp_plus, <- exp_0; f_equal; ring).
-      clearbody w s; split.
-      - auto_derive; [repeat split; eexists; eassumption | rewrite P'; ring].
-      - auto_derive; [repeat split; eexists; eassumption | rewrite P', Q'].
-        transitivity (exp (d * t) * exp (- d * t) + d * exp (d * t) * (s t + d * w t) - g * (exp (d * t) * w t)); [ring | rewrite F; ring]. }
-    destruct (one_motion g (- d) 1 _ _ _ _ B (series_moves g (- d))) with (t := 1) as [X _]; [| | lra |].
-    + rewrite (proj1 (Start (- d))); unfold w; rewrite (second_place _ _ _ _ _ _ _ _ M), (third_place _ _ _ _ _ _ _ _ M); ring.
-    + rewrite (proj2 (Start (- d))); unfold s, w; rewrite (second_place _ _ _ _ _ _ _ _ M), (third_place _ _ _ _ _ _ _ _ M); ring.
-    + replace (n0 / exp (- d)) with (PSeries (taylor g (- d)) 1); [apply Sum |].
-      rewrite <- X, N0, Rmult_1_r; destruct (held_force _ _ _ _ _ _ _ _ M 1) as (H & _); rewrite H.
-      unfold w; rewrite exp_Ropp; field; apply Rgt_not_eq, exp_pos.
-  - exact (device_loss _ _ _ _ _ _ V).
-  - generalize (device_at_rest _ _ _ _ _ _ V); lra.
-Qed.
-
-(* Up to t^8, what follows is less than the next coefficients say. *)
-Definition way (g d : R) : R :=
-  1/2 - d/6 + (d^2 - g)/24 - (d^3 - 2*g*d)/120 + (d^4 - 3*g*d^2 + g^2)/720
-  - (d^5 - 4*g*d^3 + 3*g^2*d)/5040 + (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3)/40320.
-Definition small (g d M : R) : Prop :=
-  Rabs (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) <= 40320 * M /\
-  Rabs (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) <= 181440 * M.
-
-Lemma ways_sum : forall g d, sum_n (fun k => snd (ways g d k)) 6 = way g d.
-Proof. intros; rewrite sum_n_Reals; unfold way; simpl; field. Qed.
-
-Lemma ways_fall : forall g d M, Rabs g <= 1 -> Rabs d <= 1 -> small g d M -> forall k,
-  Rabs (snd (ways g d (6 + k))) <= M * (1/2) ^ k /\ Rabs (snd (ways g d (7 + k))) <= M * (1/2) ^ (S k).
-Proof.
-  intros g d M G D [P Q] k; induction k as [| k [A B]].
-  - rewrite !Nat.add_0_r; split.
-    + replace (snd (ways g d 6)) with ((d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) / 40320) by (simpl; field).
-      unfold Rdiv; rewrite Rabs_mult, (Rabs_pos_eq (/ 40320)) by lra; rewrite pow_O; lra.
-    + replace (snd (ways g d 7)) with (- (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) / 362880) by (simpl; field).
-      unfold Rdiv; rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (/ 362880)) by lra; rewrite pow_1; lra.
-  - split; [replace (6 + S k)%nat with (7 + k)%nat by lia; exact B |].
-    replace (7 + S k)%nat with (S (S (6 + k))) by lia; rewrite ways_next.
-    replace (S (6 + k)) with (7 + k)%nat by lia.
-    assert (T : 10 <= INR (6 + k + 4)) by (rewrite !plus_INR; simpl; generalize (pos_INR k); lra).
-    assert (U : 9 <= INR (6 + k + 3)) by (rewrite !plus_INR; simpl; generalize (pos_INR k); lra).
-    set (t := INR (6 + k + 4)) in *; set (u := INR (6 + k + 3)) in *; clearbody t u.
-    set (x := snd (ways g d (7 + k))) in *; set (y := snd (ways g d (6 + k))) in *; clearbody x y.
-    set (m := M * (1/2) ^ k) in *.
-    replace (M * (1/2) ^ S k) with (m / 2) in B by (unfold m; simpl; field).
-    replace (M * (1/2) ^ S (S k)) with (m / 4) by (unfold m; simpl; field); clearbody m.
-    rewrite Rabs_Ropp; apply Rle_trans with (1 := Rabs_triang _ _).
-    assert (I : Rabs (d * x / t) <= m / 20).
-    { unfold Rdiv; rewrite !Rabs_mult; rewrite (Rabs_pos_eq (/ t)) by (apply Rlt_le, Rinv_0_lt_compat; lra).
-      replace (m * / 20) with (1 * (m / 2) * / 10) by field.
-      apply Rmult_le_compat; [apply Rmult_le_pos; apply Rabs_pos | apply Rlt_le, Rinv_0_lt_compat; lra | |].
-      - apply Rmult_le_compat; try apply Rabs_pos; assumption.
-      - apply Rinv_le_contravar; lra. }
-    assert (J : Rabs (g * y / (t * u)) <= m / 90).
-    { unfold Rdiv; rewrite !Rabs_mult.
-      assert (90 <= t * u) by nra.
-      rewrite (Rabs_pos_eq (/ (t * u))) by (apply Rlt_le, Rinv_0_lt_compat; lra).
-      replace (m * / 90) with (1 * m * / 90) by field.
-      apply Rmult_le_compat; [apply Rmult_le_pos; apply Rabs_pos | apply Rlt_le, Rinv_0_lt_compat; lra | |].
-      - apply Rmult_le_compat; try apply Rabs_pos; assumption.
-      - apply Rinv_le_contravar; lra. }
-    assert (0 <= m) by (apply Rle_trans with (2 := A); apply Rabs_pos); lra.
-Qed.
-
-Lemma held_near : forall g d x M, Rabs g <= 1 -> Rabs d <= 1 -> small g d M -> held g d x ->
-  exists r, - M <= r <= M /\ x = way g d + r.
-Proof.
-  intros g d x M G D S H; exists (x - way g d); split; [| ring].
-  set (b := fun k => snd (ways g d (7 + k))).
-  assert (B : is_series b (x - way g d)).
-  { apply (is_series_incr_n (fun k => snd (ways g d k)) 7); [lia |].
-    simpl Init.Nat.pred; rewrite ways_sum; change plus with Rplus.
-    replace (x - way g d + way g d) with x by ring; exact H. }
-  assert (F : forall k, Rabs (b k) <= M / 2 * (1/2) ^ k).
-  { intro k; replace (M / 2 * (1/2) ^ k) with (M * (1/2) ^ (Datatypes.S k)) by (simpl; field).
-    apply (ways_fall g d M G D S k). }
-  assert (T : is_series (fun k => M / 2 * (1/2) ^ k) M).
-  { assert (W : Rabs (1/2) < 1) by (rewrite Rabs_pos_eq; lra).
-    assert (V : is_series (fun k => M / 2 * (1/2) ^ k) (M / 2 * (/ (1 - 1/2))))
-      by exact (is_series_scal (M / 2) (fun k => (1/2) ^ k) (/ (1 - 1/2)) (is_series_geom (1/2) W)).
-    replace (M / 2 * / (1 - 1/2)) with M in V by field; exact V. }
-  assert (X : ex_series (fun k => Rabs (b k))).
-  { apply (ex_series_le (fun k => Rabs (b k)) (fun k => M / 2 * (1/2) ^ k)); [| exists M; exact T].
-    intro k; unfold norm; simpl; unfold abs; simpl; rewrite Rabs_Rabsolu; apply F. }
-  assert (Y : Rabs (x - way g d) <= M).
-  { rewrite <- (is_series_unique _ _ B), <- (is_series_unique _ _ T).
-    apply Rle_trans with (1 := Series_Rabs b X).
-    apply Series_le; [| exists M; exact T]; intro k; split; [apply Rabs_pos | apply F]. }
-  apply Rabs_le_between; exact Y.
-Qed.
-
-(* A bound of what follows t^8. *)
-Definition left_out (g d : R) : R :=
-  Rabs (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) / 40320 + Rabs (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) / 181440.
-Lemma small_left_out : forall g d, small g d (left_out g d).
-Proof.
-  intros g d; unfold small, left_out.
-  assert (P := Rabs_pos (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3)).
-  assert (Q := Rabs_pos (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d)); split; lra.
-Qed.
-Lemma held_within : forall g d x, Rabs g <= 1 -> Rabs d <= 1 -> held g d x ->
-  exists r, Rabs r <= left_out g d /\ x = way g d + r.
-Proof.
-  intros g d x G D H; destruct (held_near g d x (left_out g d) G D (small_left_out g d) H) as (r & B & E).
-  exists r; split; [apply Rabs_le; exact B | exact E].
-Qed.
-Lemma sampled : forall g d n1 n0 a e : R, device g d n1 n0 a e -> Rabs g <= 1 -> Rabs d <= 1 ->
-  exists r s, Rabs r <= left_out g d /\ Rabs s <= left_out g (- d) /\ n1 = way g d + r /\
-    n0 = exp (- d) * (way g (- d) + s) /\ e = exp (- d) /\ - a + e + 1 = g * (n1 + n0).
-Proof.
-  intros g d n1 n0 a e V G D; destruct (on_plants g d n1 n0 a e V) as (P & Q & E & A).
-  destruct (held_within g d n1 G D P) as (r & R & X).
-  destruct (held_within g (- d) _ G ltac:(rewrite Rabs_Ropp; exact D) Q) as (t & T & Y).
-  exists r, t; repeat split; try assumption; [| lra].
-  rewrite <- Y; field; apply Rgt_not_eq, exp_pos.
-Qed.
-
-(* -- tactics ------------------------------------------------------------------------- *)
-
-Ltac ends_expressed ends :=
-  lazymatch ends with
-  | nil => constr:(@nil (expr * expr))
-  | (?a, ?b) :: ?more =>
-      let x := expressed a (@nil R) in let y := expressed b (@nil R) in
-      let es := ends_expressed more in constr:((x, y) :: es)
-  end.
-
 (* -- a device's numbers on a box ------------------------------------------------------ *)
 
 Definition way_of : expr -> expr -> expr :=
@@ -797,6 +793,25 @@ Proof.
     rewrite L, N0, E; reflexivity. }
   clearbody v3; subst v3; repeat f_equal; simpl; lra.
 Qed.
+End Boxes.
+
+(* Primitive floats, which are fast, and floats of 120 bits, for a difference of nearly equal terms. *)
+Module Short <: Length PrimitiveFloat. Definition prec := PrimitiveFloat.PtoP 53. End Short.
+Module Big := SpecificFloat BigIntRadix2.
+Module Long <: Length Big. Definition prec := Big.PtoP 120. End Long.
+Module Fast := Boxes PrimitiveFloat Short.
+Module Exact := Boxes Big Long.
+
+(* -- tactics ------------------------------------------------------------------------- *)
+
+Ltac ends_expressed ends :=
+  lazymatch ends with
+  | nil => constr:(@nil (expr * expr))
+  | (?a, ?b) :: ?more =>
+      let x := expressed a (@nil R) in let y := expressed b (@nil R) in
+      let es := ends_expressed more in constr:((x, y) :: es)
+  end.
+
 Lemma positive_as : forall t s : R, t = s -> 0 < s -> 0 < t.
 Proof. intros t s E P; rewrite E; exact P. Qed.
 (* Expressions for terms, each of those in a list and of the terms before it, and the list with them. *)
@@ -815,7 +830,9 @@ Ltac in_pieces xs ends cuts :=
   let ends := ends_expressed ends in
   lazymatch goal with |- 0 < ?t =>
     let outer := expressed t xs in
-    exact (boxed nil nil outer ends cuts xs nil ltac:(vm_compute; reflexivity) ltac:(sided) (Forall2_nil _))
+    first
+      [ exact (Fast.boxed nil nil outer ends cuts xs nil ltac:(vm_compute; reflexivity) ltac:(sided) (Forall2_nil _))
+      | exact (Exact.boxed nil nil outer ends cuts xs nil ltac:(vm_compute; reflexivity) ltac:(sided) (Forall2_nil _)) ]
   end.
 (* Of a device's numbers and of gamma, delta and others; vs are further terms that it names. *)
 Ltac of_device vs xs ends cuts :=
@@ -825,8 +842,11 @@ Ltac of_device vs xs ends cuts :=
       let terms := with_terms vs constr:(a :: n0 :: e :: n1 :: xs) in
       lazymatch terms with (?inner, ?l) =>
         let outer := expressed t l in
-        exact (boxed_numbers inner outer ends cuts g d others n1 n0 a e V
-          ltac:(vm_compute; reflexivity) ltac:(sided) t (fun r s => eq_refl t))
+        first
+          [ exact (Fast.boxed_numbers inner outer ends cuts g d others n1 n0 a e V
+              ltac:(vm_compute; reflexivity) ltac:(sided) t (fun r s => eq_refl t))
+          | exact (Exact.boxed_numbers inner outer ends cuts g d others n1 n0 a e V
+              ltac:(vm_compute; reflexivity) ltac:(sided) t (fun r s => eq_refl t)) ]
       end
     end
   end.
