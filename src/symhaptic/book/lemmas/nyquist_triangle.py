@@ -37,33 +37,35 @@ def damped() -> Given:
     return here
 
 
+POLE = -delta / 2 + I * pi
+N_1 = -I * ((-1 - f) / POLE - (-1 - f) / mirror(POLE)) / (2 * pi)
+"""n1 by the two poles; n0 is f n1."""
+
+
 @cache
 def inequalities() -> Theorem:
     """stable <=> Jury's inequalities of the loop with this spring."""
-    values = [alpha, beta, NYQUIST, delta, S.Zero]
-    loop = loop_substituted(values, z, 1)
-    found = chained(loop, jury(loop.conclusion.of[1].of[0], z))  # type: ignore[attr-defined]
+    by_poles = loop_substituted([alpha, beta, NYQUIST, delta, S.Zero], z, 1)
+    loop = z * (z**2 + 2 * z * f + f**2) + (z * (alpha + beta) - beta) * (z * x + f * x)
+    alike = Iff((by_poles.conclusion.of[0], Predicate("stable", (z,), (loop,))))  # type: ignore[attr-defined]
+    found = subst(alike, x, by_poles, identity(N_1, NU))
+    found = chained(found, jury(found.conclusion.of[1].of[0], z))  # type: ignore[attr-defined]
     return closed(found, fact(whole(S.Zero)), *_divisors(found.hypotheses))
 
 
 def _divisors(claims: Iterable[Proposition]) -> list[Theorem]:
-    """What the polynomial divides by: a multiple of -delta/2 + j pi or of its conjugate, the square
-    of one, or the product of both."""
-    nyquist, turn = damped().show(NYQUIST > 0), number(Relation(S.Zero, "<", pi))
-    found = []
+    """What the polynomial divides by: a pole, or a multiple of its square size, which is gamma."""
+    nyquist, found = damped().show(NYQUIST > 0), []
     for claim in claims:
         if isinstance(claim, Relation) and claim.sign == "!=":
             left = claim.left
-            grown = [sign_of(exp, e.args[0]) for e in left.atoms(exp)]
-            power = 2 if left.has(delta**2) else 1
-            size: list[Any] = [4, turn, turn] if left.coeff(delta**power).has(pi) else []
             if left.has(I):
-                other = mirror(left)
-                size = [*grown, *grown, *[nyquist, *size] * power]
-                product = combined(Relation(S.Zero, "<", sp.expand(left * other)), size)
-                found.append(factor(left, product, other))
+                size = sp.expand(left * mirror(left))
+                found.append(factor(left, combined(size > 0, [nyquist]), mirror(left)))
             else:
-                found.append(show(Ne(left, 0), combined(left > 0, [*grown, nyquist, *size])))
+                grown = [sign_of(exp, g.args[0]) for g in left.atoms(exp)]
+                squared = [nyquist] * (2 if left.has(delta**4) else 1)
+                found.append(show(Ne(left, 0), combined(left > 0, [*grown, *squared])))
     return found
 
 
