@@ -46,27 +46,17 @@ N_1 = -I * ((-1 - f) / POLE - (-1 - f) / mirror(POLE)) / (2 * pi)
 def inequalities() -> Theorem:
     """stable <=> Jury's inequalities of the loop with this spring."""
     by_poles = loop_substituted([alpha, beta, NYQUIST, delta, S.Zero], z, 1)
-    loop = z * (z**2 + 2 * z * f + f**2) + (z * (alpha + beta) - beta) * (z * x + f * x)
-    alike = Iff((by_poles.conclusion.of[0], Predicate("stable", (z,), (loop,))))  # type: ignore[attr-defined]
-    found = subst(alike, x, by_poles, identity(N_1, NU))
-    found = chained(found, jury(found.conclusion.of[1].of[0], z))  # type: ignore[attr-defined]
-    return closed(found, fact(whole(S.Zero)), *_divisors(found.hypotheses))
-
-
-def _divisors(claims: Iterable[Proposition]) -> list[Theorem]:
-    """What the polynomial divides by: a pole, or a multiple of its square size, which is gamma."""
-    nyquist, found = damped().show(NYQUIST > 0), []
-    for claim in claims:
-        if isinstance(claim, Relation) and claim.sign == "!=":
-            left = claim.left
-            if left.has(I):
-                size = sp.expand(left * mirror(left))
-                found.append(factor(left, combined(size > 0, [nyquist]), mirror(left)))
-            else:
-                grown = [sign_of(exp, g.args[0]) for g in left.atoms(exp)]
-                squared = [nyquist] * (2 if left.has(delta**4) else 1)
-                found.append(show(Ne(left, 0), combined(left > 0, [*grown, *squared])))
-    return found
+    loop = z * (z**2 + 2 * z * e + e**2) + (z * (alpha + beta) - beta) * (z * x + e * x)
+    there = Predicate("stable", (z,), (loop.xreplace({e: f, x: s}),))
+    alike = Iff((by_poles.conclusion.of[0], there))  # type: ignore[attr-defined]
+    found = subst(alike, s, by_poles, identity(N_1, NU))
+    found = chained(found, inst(jury(loop, z), {e: f, x: NU}))
+    nyquist = damped().show(NYQUIST > 0)
+    poles = [
+        factor(pole, combined(sp.expand(pole * other) > 0, [nyquist]), other)
+        for pole, other in ((POLE, mirror(POLE)), (mirror(POLE), POLE))
+    ]
+    return closed(found, fact(whole(S.Zero)), show(Ne(NYQUIST, 0), nyquist), *poles)
 
 
 def needed() -> Theorem:
@@ -99,7 +89,7 @@ def enough() -> Theorem:
         combined(wanted[3], [low, left, top], [low, lost, lost], [low, lost, left, low]),
     ]
     found = mp(loop, conj(*known))
-    return here.closed(closed(found, *_divisors(found.hypotheses)))
+    return here.closed(found)
 
 
 @cache
