@@ -1189,7 +1189,14 @@ with conv_parts H :=
   destruct H as [A B];
   split; [first [conv A | clear B; atom] | conv B].
 
-Ltac finish t := first [exact t | let H := fresh in pose proof t as H; conv H].
+(* An exponential of twice the argument, which SymPy writes for a square. *)
+Ltac doubled :=
+  repeat match goal with |- context [exp ?a] => match goal with |- context [exp ?b] =>
+    tryif constr_eq a b then fail else
+    replace (exp b) with (exp a ^ 2)
+      by (transitivity (exp (a + a)); [rewrite exp_plus; ring | f_equal; argument]) end end.
+Ltac finish t :=
+  first [exact t | let H := fresh in pose proof t as H; first [conv H | progress doubled; conv H]].
 Ltac feed P t :=
   first
     [ specialize (P t)
