@@ -5,6 +5,7 @@ import shutil
 from dataclasses import replace
 from types import SimpleNamespace
 
+import mpmath
 import pytest
 from sympy import E, I, Lt, Rational, S, atan, cos, exp, pi, re, sin, sqrt, symbols, tan
 
@@ -780,14 +781,46 @@ def test_inverses_are_names_where_only_sums_and_products_are_compared(folder):
 
 def test_the_checker_of_boxes_rests_on_the_library_alone(folder):
     """The axioms of the reals and primitive floats; nothing is believed of a device."""
-    (folder / "asked.v").write_text(
-        "From Symhaptic Require Import Boxes.\nPrint Assumptions boxed.\n"
-        "Definition both := (boxed, boxed_numbers).\nPrint Assumptions both.\n"
+    for kind in ("Fast", "Exact"):
+        (folder / f"asked_{kind}.v").write_text(
+            "From Symhaptic Require Import Boxes.\n"
+            f"Definition both := ({kind}.boxed, {kind}.boxed_numbers).\nPrint Assumptions both.\n"
+        )
+        done = compiled._compiled(folder, f"asked_{kind}")
+        assert done.returncode == 0, done.stderr
+        assert assumptions.axioms(done.stdout) == set(foreign.LIBRARY)
+
+
+def test_a_box_is_as_sharp_as_its_series_and_its_floats(folder):
+    """The first number of a device, by its closed forms, beside its neighbours on both sides.
+
+    The series with 15 terms and 53 bits decides the first, with 41 terms the second; the third
+    needs floats of 120 bits.
+    """
+    with mpmath.workdps(60):
+        soft, stiff = mpmath.mpf(3) / 10, mpmath.mpf(987) / 100
+        turned = mpmath.sqrt(soft)
+        first = {
+            ("3/10", "0", 13): (1 - mpmath.cos(turned)) / soft,
+            ("987/100", "0", 7): (1 - mpmath.cos(mpmath.sqrt(stiff))) / stiff,
+            ("0", "1/50", 30): 2500 * (mpmath.exp(-mpmath.mpf(1) / 50) - 1) + 50,
+        }
+        claims = {}
+        for i, ((g, d, digits), value) in enumerate(first.items()):
+            below = int(mpmath.floor(value * 10**digits))
+            for name, bound in ((f"right_{i}", below), (f"wrong_{i}", below + 1)):
+                claims[name] = g, d, f"n_1 - {bound}/{10**digits}"
+        claims["wrong_3"] = "11", "0", "n_1 - n_1 + 1"  # too stiff for 41 terms
+    text = "".join(
+        f"Lemma {name} : forall a delta e gamma n_0 n_1 : R, {g} <= gamma -> gamma <= {g} -> "
+        f"{d} <= delta -> delta <= {d} -> device gamma delta n_1 n_0 a e -> 0 < {claim}.\n"
+        f"Proof.\n  intros; of_device (@nil R) (gamma :: delta :: @nil R) "
+        f'(({g}, {g}) :: ({d}, {d}) :: @nil (R * R)) ".".\nQed.\n'
+        for name, (g, d, claim) in claims.items()
     )
-    done = compiled._compiled(folder, "asked")
-    assert done.returncode == 0, done.stderr
-    first, second = done.stdout.split("Axioms:")[1:]
-    assert assumptions.axioms(first) == assumptions.axioms(second) == set(foreign.LIBRARY)
+    assert set(compiled.failing(folder, f"{BEGIN}{text}")) == {
+        name for name in claims if name.startswith("wrong")
+    }
 
 
 def test_the_counter_of_zeros_rests_on_the_library_alone(folder):

@@ -3,7 +3,7 @@
 From Symhaptic Require Export Control.
 From Coq Require Export String.
 From Coq Require Import Ascii.
-From Interval Require Import Xreal Interval Primitive_ops Float_full Tree Prog Eval Reify.
+From Interval Require Import Xreal Interval Primitive_ops Specific_bigint Specific_ops Float_full Tree Prog Eval Reify.
 Import List Tree.
 Open Scope list_scope.
 Open Scope R_scope.
@@ -70,19 +70,225 @@ Qed.
 End Precise.
 End Values.
 
-(* Primitive floats, for many pieces. *)
-Module Import Floats := Values PrimitiveFloat.
-Definition prec := PrimitiveFloat.PtoP 53.
-Notation ops := (Floats.ops prec).
-Notation nullary_of := (Floats.nullary_of prec).
-Notation value_of := (Floats.value_of prec).
-Notation has_nullary := (Floats.has_nullary prec).
-Notation has_unary := (Floats.has_unary prec).
-Notation has_binary := (Floats.has_binary prec).
-Notation has_value := (Floats.has_value prec).
-Notation ball := Ball.type.
+(* -- boxes of plants ------------------------------------------------------------------ *)
 
-(* -- slopes: f(x) - f(c) = s . (x - c) ------------------------------------------------ *)
+(* The way under a unit force that is held, from rest: y'' + d y' + g y = 1.  Its power series in
+   time; the pair has the coefficients of t^(k+1) and t^(k+2). *)
+Fixpoint ways (g d : R) (k : nat) : R * R :=
+  match k with
+  | O => (0, 1 / 2)
+  | S m =>
+      let (p, q) := ways g d m in
+      (q, - (d * q / INR (m + 3) + g * p / (INR (m + 3) * INR (m + 2))))
+  end.
+Definition held (g d x : R) : Prop := is_series (fun k => snd (ways g d k)) x.
+
+Lemma ways_next : forall g d k,
+  snd (ways g d (S (S k))) =
+  - (d * snd (ways g d (S k)) / INR (k + 4) + g * snd (ways g d k) / (INR (k + 4) * INR (k + 3))).
+Proof.
+  intros g d k; cbn [ways]; destruct (ways g d k) as [p q]; cbn [snd].
+  replace (S k + 3)%nat with (k + 4)%nat by lia; replace (S k + 2)%nat with (k + 3)%nat by lia.
+  reflexivity.
+Qed.
+
+(* The coefficients of the powers of the time, and that they fall as those of an exponential. *)
+Definition taylor (g d : R) (n : nat) : R := match n with S (S k) => snd (ways g d k) | _ => 0 end.
+Lemma taylor_next : forall g d n, INR (n + 2) * INR (n + 1) * taylor g d (S (S n)) + d * (INR (n + 1) * taylor g d (S n)) + g * taylor g d n =
+  match n with O => 1 | _ => 0 end.
+Proof.
+  intros g d [| [| n]]; [simpl; field | simpl; field |].
+  change (taylor g d (S (S (S (S n))))) with (snd (ways g d (S (S n)))); change (taylor g d (S (S (S n)))) with (snd (ways g d (S n))).
+  change (taylor g d (S (S n))) with (snd (ways g d n)); rewrite ways_next.
+  replace (S (S n) + 2)%nat with (n + 4)%nat by lia; replace (S (S n) + 1)%nat with (n + 3)%nat by lia.
+  assert (INR (n + 4) <> 0) by (apply not_0_INR; lia); assert (INR (n + 3) <> 0) by (apply not_0_INR; lia); field; split; assumption.
+Qed.
+Lemma taylor_falls : forall g d n, Rabs (taylor g d n) <= (1 + Rabs d + Rabs g) ^ n / INR (fact n).
+Proof.
+  intros g d; set (k := 1 + Rabs d + Rabs g); assert (K : 1 <= k) by (unfold k; generalize (Rabs_pos d) (Rabs_pos g); lra).
+  assert (B : forall n, Rabs (taylor g d n) * INR (fact n) <= k ^ n /\ Rabs (taylor g d (S n)) * INR (fact (S n)) <= k ^ S n).
+  { induction n as [| n [A B]].
+    - simpl; rewrite Rabs_R0; split; lra.
+    - split; [exact B |]; assert (T := taylor_next g d n).
+      assert (P1 : 0 < INR (n + 1)) by (apply lt_0_INR; lia); assert (P2 : 0 < INR (n + 2)) by (apply lt_0_INR; lia).
+      assert (Pf : 0 < INR (fact n)) by apply INR_fact_lt_0.
+      replace (INR (fact (S (S n)))) with (INR (n + 2) * INR (n + 1) * INR (fact n)).
+      2: { rewrite !fact_simpl, !mult_INR; replace (S (S n)) with (n + 2)%nat by lia; replace (S n) with (n + 1)%nat by lia; ring. }
+      replace (Rabs (taylor g d (S (S n))) * (INR (n + 2) * INR (n + 1) * INR (fact n))) with
+        (Rabs (INR (n + 2) * INR (n + 1) * taylor g d (S (S n))) * INR (fact n)).
+      2: { rewrite !Rabs_mult, (Rabs_pos_eq (INR (n + 2))), (Rabs_pos_eq (INR (n + 1))) by lra; ring. }
+      rewrite fact_simpl, mult_INR in B; replace (S n) with (n + 1)%nat in B by lia.
+      set (u := match n with O => 1 | _ => 0 end) in T.
+      replace (INR (n + 2) * INR (n + 1) * taylor g d (S (S n))) with (u - d * (INR (n + 1) * taylor g d (S n)) - g * taylor g d n) by lra.
+      assert (U : Rabs u * INR (fact n) <= k ^ S n).
+      { unfold u; destruct n; [simpl; rewrite Rabs_R1; lra | rewrite Rabs_R0, Rmult_0_l; apply pow_le; lra]. }
+      assert (Tr : Rabs (u - d * (INR (n + 1) * taylor g d (S n)) - g * taylor g d n) <=
+        Rabs u + Rabs d * (INR (n + 1) * Rabs (taylor g d (S n))) + Rabs g * Rabs (taylor g d n)).
+      { unfold Rminus; eapply Rle_trans; [apply Rabs_triang | apply Rplus_le_compat].
+        - eapply Rle_trans; [apply Rabs_triang |]; apply Rplus_le_compat_l; rewrite Rabs_Ropp, !Rabs_mult, (Rabs_pos_eq (INR (n + 1))) by lra; lra.
+        - rewrite Rabs_Ropp, Rabs_mult; lra. }
+      apply Rle_trans with ((Rabs u + Rabs d * (INR (n + 1) * Rabs (taylor g d (S n))) + Rabs g * Rabs (taylor g d n)) * INR (fact n)).
+      { apply Rmult_le_compat_r; [lra | exact Tr]. }
+      assert (Kn : k ^ n <= k ^ S n) by (simpl; assert (0 < k ^ n) by (apply pow_lt; lra); nra).
+      replace (n + 1)%nat with (S n) in * by lia.
+      assert (Q1 : Rabs d * (INR (S n) * Rabs (taylor g d (S n)) * INR (fact n)) <= Rabs d * k ^ S n).
+      { apply Rmult_le_compat_l; [apply Rabs_pos |]; eapply Rle_trans; [apply Req_le | exact B]; ring. }
+      assert (Q2 : Rabs g * (Rabs (taylor g d n) * INR (fact n)) <= Rabs g * k ^ S n).
+      { apply Rmult_le_compat_l; [apply Rabs_pos | lra]. }
+      assert (Sum : (Rabs u + Rabs d * (INR (S n) * Rabs (taylor g d (S n))) + Rabs g * Rabs (taylor g d n)) * INR (fact n) =
+        Rabs u * INR (fact n) + Rabs d * (INR (S n) * Rabs (taylor g d (S n)) * INR (fact n)) + Rabs g * (Rabs (taylor g d n) * INR (fact n))) by ring.
+      rewrite Sum; apply Rle_trans with (k ^ S n + Rabs d * k ^ S n + Rabs g * k ^ S n); [lra |].
+      change (k ^ S (S n)) with (k * k ^ S n); replace (k * k ^ S n) with ((1 + Rabs d + Rabs g) * k ^ S n) by reflexivity; lra. }
+  intro n; assert (P : 0 < INR (fact n)) by apply INR_fact_lt_0; apply Rle_div_r; [exact P | apply B].
+Qed.
+Lemma below_exp : forall z n, 0 <= z -> z ^ n / INR (fact n) <= exp z.
+Proof.
+  intros z n Z; assert (P : forall k, 0 <= z ^ k * / INR (fact k)).
+  { intro k; apply Rmult_le_pos; [apply pow_le, Z | apply Rlt_le, Rinv_0_lt_compat, INR_fact_lt_0]. }
+  assert (E := is_exp_Reals z); apply is_pseries_R in E.
+  assert (I : forall m, sum_n (fun k => / INR (fact k) * z ^ k) m <= sum_n (fun k => / INR (fact k) * z ^ k) (S m)).
+  { intro m; rewrite sum_Sn; change plus with Rplus; generalize (P (S m)); rewrite Rmult_comm; lra. }
+  assert (L := is_lim_seq_incr_compare _ (exp z) E I n); eapply Rle_trans; [| exact L].
+  destruct n as [| n]; [rewrite sum_O; simpl; lra |].
+  rewrite sum_Sn; assert (0 <= sum_n (fun k => / INR (fact k) * z ^ k) n).
+  { clear - P; induction n as [| n IH]; [rewrite sum_O; rewrite Rmult_comm; apply P |].
+    rewrite sum_Sn; change plus with Rplus; apply Rplus_le_le_0_compat; [exact IH | rewrite Rmult_comm; apply P]. }
+  eapply Rle_trans; [| apply Rplus_le_compat_r; exact H]; unfold Rdiv; apply Req_le; ring.
+Qed.
+Lemma taylor_converges : forall g d, CV_radius (taylor g d) = p_infty.
+Proof.
+  intros g d; set (k := 1 + Rabs d + Rabs g); assert (K : 1 <= k) by (unfold k; generalize (Rabs_pos d) (Rabs_pos g); lra).
+  assert (L : forall r : R, 0 <= r -> Rbar_le r (CV_radius (taylor g d))).
+  { intros r R0; destruct (CV_radius_bounded (taylor g d)) as [U _]; apply U.
+    exists (exp (k * r)); intro n; rewrite Rabs_mult, (Rabs_pos_eq (r ^ n)) by (apply pow_le, R0).
+    apply Rle_trans with ((k * r) ^ n / INR (fact n)); [| apply below_exp, Rmult_le_pos; lra].
+    rewrite Rpow_mult_distr; unfold Rdiv; rewrite (Rmult_comm (k ^ n)), Rmult_assoc, (Rmult_comm (r ^ n)).
+    apply Rmult_le_compat_r; [apply pow_le, R0 | apply taylor_falls]. }
+  destruct (CV_radius (taylor g d)) as [r | |]; [exfalso | reflexivity | exfalso; exact (L 0 (Rle_refl 0))].
+  assert (A := L (Rabs r + 1) ltac:(generalize (Rabs_pos r); lra)); simpl in A; generalize (Rle_abs r); lra.
+Qed.
+Lemma no_series : is_series (fun _ : nat => 0) 0.
+Proof. apply (filterlim_ext (fun _ => 0)); [intro n; rewrite sum_n_const; ring | apply filterlim_const]. Qed.
+(* The sum of the series in time is the motion under a unit force. *)
+Lemma series_moves : forall g d, moves g d 1 (PSeries (taylor g d)) (PSeries (PS_derive (taylor g d))).
+Proof.
+  intros g d t; set (a := taylor g d); assert (R0 : CV_radius a = p_infty) by apply taylor_converges.
+  assert (R1 : CV_radius (PS_derive a) = p_infty) by (rewrite CV_radius_derive; exact R0).
+  split; [apply is_derive_PSeries; rewrite R0; exact I |].
+  evar_last; [apply is_derive_PSeries; rewrite R1; exact I |].
+  assert (C : forall b, CV_radius b = p_infty -> ex_pseries b t) by (intros b B; apply CV_radius_inside; rewrite B; exact I).
+  assert (E : PSeries (PS_derive (PS_derive a)) t + d * PSeries (PS_derive a) t + g * PSeries a t = 1).
+  { assert (C2 : CV_radius (PS_derive (PS_derive a)) = p_infty) by (rewrite CV_radius_derive; exact R1).
+    assert (S0 := PSeries_correct _ _ (C _ R0)); assert (S1 := PSeries_correct _ _ (C _ R1)); assert (S2 := PSeries_correct _ _ (C _ C2)).
+    assert (T1 := is_pseries_scal d _ t _ (Rmult_comm _ _) S1); assert (T0 := is_pseries_scal g _ t _ (Rmult_comm _ _) S0).
+    assert (T := is_pseries_plus _ _ t _ _ (is_pseries_plus _ _ t _ _ S2 T1) T0).
+    apply (is_pseries_ext _ (fun n => match n with O => 1 | _ => 0 end)) in T.
+    - assert (One : is_pseries (fun n => match n with O => 1 | _ => 0 end) t 1).
+      { apply is_pseries_R, is_series_decr_1.
+        evar_last; [apply (is_series_ext (fun _ => 0)); [intro n; change (0 = 0 * t ^ S n); ring | apply no_series] |].
+        unfold plus, opp; simpl; ring. }
+      apply is_pseries_unique in T; apply is_pseries_unique in One; rewrite One in T; symmetry; exact T.
+    - intro n; transitivity (INR (n + 2) * INR (n + 1) * taylor g d (S (S n)) + d * (INR (n + 1) * taylor g d (S n)) + g * taylor g d n); [| apply taylor_next]; unfold PS_plus, PS_scal, PS_derive.
+      change plus with Rplus; change scal with Rmult; fold a; replace (n + 2)%nat with (S (S n)) by lia; replace (n + 1)%nat with (S n) by lia.
+      rewrite !S_INR; match goal with |- ?x = ?y => change (@eq R x y) end; ring. }
+  lra.
+Qed.
+
+Theorem on_plants : forall g d n1 n0 a e : R, device g d n1 n0 a e ->
+  held g d n1 /\ held g (- d) (n0 / exp (- d)) /\ e = exp (- d) /\ 1 - a + e = g * (n1 + n0).
+Proof.
+  intros g d n1 n0 a e V; assert (Start : forall k, PSeries (taylor g k) 0 = 0 /\ PSeries (PS_derive (taylor g k)) 0 = 0).
+  { intro k; rewrite !PSeries_0; unfold PS_derive; simpl; split; ring. }
+  assert (Sum : forall k, held g k (PSeries (taylor g k) 1)).
+  { intro k; unfold held; assert (R0 : CV_radius (taylor g k) = p_infty) by apply taylor_converges.
+    assert (P := PSeries_correct (taylor g k) 1 ltac:(apply CV_radius_inside; rewrite R0; exact I)); apply is_pseries_R in P.
+    apply (is_series_ext _ (taylor g k)) in P; [| intro n; rewrite pow1; apply Rmult_1_r].
+    apply (is_series_incr_n (taylor g k) 2); [lia |].
+    evar_last; [exact P |]; simpl pred; rewrite sum_Sn, sum_O; unfold plus; simpl; ring. }
+  assert (W := V); destruct W as (x1 & v1 & x2 & v2 & x3 & v3 & M & A & E & N1 & N0).
+  repeat split.
+  - rewrite N1; destruct (one_motion g d 1 _ _ _ _ (third _ _ _ _ _ _ _ _ M) (series_moves g d)) with (t := 1) as [X _];
+      [rewrite (third_place _ _ _ _ _ _ _ _ M); symmetry; apply Start | rewrite (third_speed _ _ _ _ _ _ _ _ M); symmetry; apply Start | lra |].
+    rewrite X; apply Sum.
+  - (* exp(d t) times the motion under the force exp(-d t) is that of the damping - d *)
+    set (w := fun t => x2 t * x2 t - v2 t * x3 t); set (s := fun t => x2 t - d * w t).
+    assert (B : moves g (- d) 1 (fun t => exp (d * t) * w t) (fun t => exp (d * t) * (s t + d * w t))).
+    { intro t; assert (P : is_derive w t (s t)) by apply (fading_force _ _ _ _ _ _ _ _ M t).
+      assert (Q : is_derive s t (exp (- d * t) - d * s t - g * w t)) by apply (fading_force _ _ _ _ _ _ _ _ M t).
+      assert (P' : Derive (fun t => w t) t = s t) by (apply is_derive_unique; exact P).
+      assert (Q' : Derive (fun t => s t) t = exp (- d * t) - d * s t - g * w t) by (apply is_derive_unique; exact Q).
+      assert (F : exp (d * t) * exp (- d * t) = 1) by (rewrite <- exp_plus, <- exp_0; f_equal; ring).
+      clearbody w s; split.
+      - auto_derive; [repeat split; eexists; eassumption | rewrite P'; ring].
+      - auto_derive; [repeat split; eexists; eassumption | rewrite P', Q'].
+        transitivity (exp (d * t) * exp (- d * t) + d * exp (d * t) * (s t + d * w t) - g * (exp (d * t) * w t)); [ring | rewrite F; ring]. }
+    destruct (one_motion g (- d) 1 _ _ _ _ B (series_moves g (- d))) with (t := 1) as [X _]; [| | lra |].
+    + rewrite (proj1 (Start (- d))); unfold w; rewrite (second_place _ _ _ _ _ _ _ _ M), (third_place _ _ _ _ _ _ _ _ M); ring.
+    + rewrite (proj2 (Start (- d))); unfold s, w; rewrite (second_place _ _ _ _ _ _ _ _ M), (third_place _ _ _ _ _ _ _ _ M); ring.
+    + replace (n0 / exp (- d)) with (PSeries (taylor g (- d)) 1); [apply Sum |].
+      rewrite <- X, N0, Rmult_1_r; destruct (held_force _ _ _ _ _ _ _ _ M 1) as (H & _); rewrite H.
+      unfold w; rewrite exp_Ropp; field; apply Rgt_not_eq, exp_pos.
+  - exact (device_loss _ _ _ _ _ _ V).
+  - generalize (device_at_rest _ _ _ _ _ _ V); lra.
+Qed.
+
+(* What follows the coefficient of t^(m + 2) is less than twice the next one may be. *)
+Definition left_out (m : nat) (g d : R) : R := 2 * ((1 + Rabs d + Rabs g) ^ (m + 3) / INR (fact (m + 3))).
+Lemma taylor_tail : forall g d m, 1 + Rabs d + Rabs g <= INR (m + 4) / 2 -> forall k,
+  Rabs (taylor g d (m + 3 + k)) <= (1 + Rabs d + Rabs g) ^ (m + 3) / INR (fact (m + 3)) * (1/2) ^ k.
+Proof.
+  intros g d m B k; eapply Rle_trans; [apply taylor_falls |].
+  set (c := 1 + Rabs d + Rabs g) in *; assert (C : 0 <= c) by (unfold c; generalize (Rabs_pos d) (Rabs_pos g); lra).
+  induction k as [| k IH]; [rewrite Nat.add_0_r, pow_O; lra |].
+  replace (m + 3 + S k)%nat with (S (m + 3 + k)) by lia; rewrite fact_simpl, mult_INR.
+  assert (P : 0 < INR (fact (m + 3 + k))) by apply INR_fact_lt_0.
+  assert (Q : INR (m + 4) <= INR (S (m + 3 + k))) by (apply le_INR; lia).
+  assert (M : 4 <= INR (m + 4)) by (rewrite plus_INR; simpl; generalize (pos_INR m); lra).
+  replace (c ^ S (m + 3 + k) / (INR (S (m + 3 + k)) * INR (fact (m + 3 + k)))) with
+    (c ^ (m + 3 + k) / INR (fact (m + 3 + k)) * (c / INR (S (m + 3 + k)))) by
+    (change (c ^ S (m + 3 + k)) with (c * c ^ (m + 3 + k)); field; split; lra).
+  replace ((1/2) ^ S k) with ((1/2) ^ k * (1/2)) by (simpl; ring); rewrite <- Rmult_assoc.
+  apply Rmult_le_compat; [| | exact IH |].
+  - apply Rmult_le_pos; [apply pow_le, C | apply Rlt_le, Rinv_0_lt_compat, P].
+  - apply Rmult_le_pos; [exact C | apply Rlt_le, Rinv_0_lt_compat; lra].
+  - apply Rle_div_l; lra.
+Qed.
+Lemma held_near : forall g d x m, 1 + Rabs d + Rabs g <= INR (m + 4) / 2 -> held g d x ->
+  Rabs (x - sum_n (fun k => snd (ways g d k)) m) <= left_out m g d.
+Proof.
+  intros g d x m S H; unfold left_out; set (A := (1 + Rabs d + Rabs g) ^ (m + 3) / INR (fact (m + 3))).
+  set (b := fun k => snd (ways g d (Datatypes.S m + k))).
+  assert (B : is_series b (x - sum_n (fun k => snd (ways g d k)) m)).
+  { apply (is_series_incr_n (fun k => snd (ways g d k)) (Datatypes.S m)); [lia |].
+    set (w := sum_n (fun k => snd (ways g d k)) m).
+    evar_last; [exact H | change (x = x - w + w); ring]. }
+  assert (F : forall k, Rabs (b k) <= A * (1/2) ^ k).
+  { intro k; replace (b k) with (taylor g d (m + 3 + k)); [apply (taylor_tail g d m S k) |].
+    replace (m + 3 + k)%nat with (Datatypes.S (Datatypes.S (Datatypes.S m + k))) by lia; reflexivity. }
+  assert (T : is_series (fun k => A * (1/2) ^ k) (2 * A)).
+  { assert (W : Rabs (1/2) < 1) by (rewrite Rabs_pos_eq; lra).
+    assert (V : is_series (fun k => A * (1/2) ^ k) (A * (/ (1 - 1/2))))
+      by exact (is_series_scal A (fun k => (1/2) ^ k) (/ (1 - 1/2)) (is_series_geom (1/2) W)).
+    replace (A * / (1 - 1/2)) with (2 * A) in V by field; exact V. }
+  assert (X : ex_series (fun k => Rabs (b k))).
+  { apply (ex_series_le (fun k => Rabs (b k)) (fun k => A * (1/2) ^ k)); [| exists (2 * A); exact T].
+    intro k; unfold norm; simpl; unfold abs; simpl; rewrite Rabs_Rabsolu; apply F. }
+  rewrite <- (is_series_unique _ _ B), <- (is_series_unique _ _ T).
+  apply Rle_trans with (1 := Series_Rabs b X).
+  apply Series_le; [| exists (2 * A); exact T]; intro k; split; [apply Rabs_pos | apply F].
+Qed.
+Lemma sampled : forall (m : nat) (g d n1 n0 a e : R), device g d n1 n0 a e -> 1 + Rabs d + Rabs g <= INR (m + 4) / 2 ->
+  exists r s, Rabs r <= left_out m g d /\ Rabs s <= left_out m g d /\ n1 = sum_n (fun k => snd (ways g d k)) m + r /\
+    n0 = exp (- d) * (sum_n (fun k => snd (ways g (- d) k)) m + s) /\ e = exp (- d) /\ a = 1 + e - g * (n1 + n0).
+Proof.
+  intros m g d n1 n0 a e V B; destruct (on_plants g d n1 n0 a e V) as (P & Q & E & A).
+  assert (Y := held_near g (- d) _ m ltac:(rewrite Rabs_Ropp; exact B) Q).
+  unfold left_out in Y; rewrite Rabs_Ropp in Y; fold (left_out m g d) in Y.
+  exists (n1 - sum_n (fun k => snd (ways g d k)) m), (n0 / exp (- d) - sum_n (fun k => snd (ways g (- d) k)) m).
+  repeat split; [exact (held_near g d n1 m B P) | exact Y | ring | field; apply Rgt_not_eq, exp_pos | exact E | lra].
+Qed.
+
+(* -- sums of lists -------------------------------------------------------------------- *)
 
 Fixpoint termwise {T} (add : T -> T -> T) (a b : list T) : list T :=
   match a, b with
@@ -104,6 +310,96 @@ Proof.
 Qed.
 Lemma dot_times : forall k a h, dot (map (Rmult k) a) h = k * dot a h.
 Proof. intros k; induction a as [| x a IH]; intros [| z h]; simpl; try ring; rewrite IH; ring. Qed.
+
+(* -- names ---------------------------------------------------------------------------- *)
+
+(* Each of what is named before it; and the last names of a chain. *)
+Definition with_names (es : list expr) : list R -> list R := fold_left (fun x e => eval e x :: x) es.
+Definition last_of {T} (none : T) (kept : nat) (chain : list T) : list T := map (fun i => nth i chain none) (seq 0 kept).
+Lemma nth_last_of : forall T (none : T) kept chain more n, nth n (last_of none kept chain ++ more) none =
+  if (n <? kept)%nat then nth n chain none else nth (n - kept) more none.
+Proof.
+  intros T none kept chain more n; assert (L : List.length (last_of none kept chain) = kept)
+    by (unfold last_of; rewrite map_length; apply seq_length).
+  destruct (Nat.ltb_spec n kept) as [B | B].
+  - rewrite app_nth1 by lia; unfold last_of; rewrite (nth_indep _ none (nth O chain none)) by (rewrite map_length, seq_length; lia).
+    rewrite (map_nth (fun i => nth i chain none) (seq 0 kept) O n), seq_nth by lia; reflexivity.
+  - rewrite app_nth2, L by lia; reflexivity.
+Qed.
+
+(* The coefficients of t to t^(m + 1), each named after those before it, where the n-th name finds gamma and delta by G n and D n; and their sum. *)
+Definition quotient (a : expr) (n : Z) : expr := Ebinary Div a (Econst (Int n)).
+Definition next (G D : nat -> expr) (m : nat) : expr :=
+  let n := Z.of_nat (m + 3) in
+  Eunary Neg (Ebinary Tree.Add (quotient (Ebinary Mul (D (m + 2)%nat) (Evar 0)) n)
+    (quotient (Ebinary Mul (G (m + 2)%nat) (Evar 1)) (n * (n - 1)))).
+Fixpoint coefficients (G D : nat -> expr) (m : nat) : list expr :=
+  match m with
+  | O => Econst (Int 0) :: nil
+  | S O => Econst (Int 0) :: quotient (Econst (Int 1)) 2 :: nil
+  | S (S k as l) => coefficients G D l ++ next G D k :: nil
+  end.
+Fixpoint said (g d : R) (m : nat) : list R :=
+  match m with O => taylor g d 1 :: nil | S k => taylor g d (S (S k)) :: said g d k end.
+Fixpoint total (i k : nat) : expr :=
+  match k with O => Econst (Int 0) | S k => Ebinary Tree.Add (Evar i) (total (S i) k) end.
+Lemma said_length : forall g d m, List.length (said g d m) = S m.
+Proof. intros g d m; induction m; simpl; congruence. Qed.
+Lemma named_coefficients : forall g d G D x, (forall l, eval (G (List.length l)) (l ++ x) = g) ->
+  (forall l, eval (D (List.length l)) (l ++ x) = d) ->
+  forall m, with_names (coefficients G D m) x = said g d m ++ x.
+Proof.
+  intros g d G D x HG HD m; assert (B : with_names (coefficients G D m) x = said g d m ++ x /\
+    with_names (coefficients G D (S m)) x = said g d (S m) ++ x); [| apply B].
+  induction m as [| m [_ IH]]; [split; reflexivity |]; split; [exact IH |].
+  change (coefficients G D (S (S m))) with (coefficients G D (S m) ++ next G D m :: nil).
+  unfold with_names in *; rewrite fold_left_app, IH; cbn [fold_left]; change (said g d (S (S m))) with
+    (taylor g d (S (S (S m))) :: said g d (S m)); cbn [app]; f_equal.
+  assert (P : INR (m + 3) <> 0) by (apply not_0_INR; lia); assert (Q : INR (m + 3) - 1 <> 0).
+  { rewrite plus_INR; simpl; generalize (pos_INR m); lra. }
+  assert (HG' := HG (said g d (S m))); assert (HD' := HD (said g d (S m))); rewrite said_length in HG', HD'.
+  replace (S (S m)) with (m + 2)%nat in HG', HD' by lia.
+  cbn -[INR Z.of_nat taylor said app Nat.add Z.mul Z.sub]; rewrite HG', HD'; rewrite mult_IZR, minus_IZR, <- !INR_IZR_INZ.
+  assert (T := taylor_next g d (S m)); cbn [said app nth] in *.
+  replace (S m + 2)%nat with (m + 3)%nat in T by lia; replace (INR (S m + 1)) with (INR (m + 3) - 1) in T
+    by (replace (m + 3)%nat with (S (S m + 1)) by lia; rewrite S_INR; ring).
+  assert (U : taylor g d (S (S (S m))) = - (d * taylor g d (S (S m)) / INR (m + 3) +
+    g * taylor g d (S m) / (INR (m + 3) * (INR (m + 3) - 1)))) by
+    (apply (Rmult_eq_reg_l (INR (m + 3) * (INR (m + 3) - 1))); [| apply Rmult_integral_contrapositive; tauto];
+     transitivity (- (d * ((INR (m + 3) - 1) * taylor g d (S (S m))) + g * taylor g d (S m))); [lra | field; tauto]).
+  rewrite U; destruct m; reflexivity.
+Qed.
+Lemma total_of : forall l pre x, eval (total (List.length pre) (List.length l)) (pre ++ l ++ x) = fold_right Rplus 0 l.
+Proof.
+  induction l as [| y l IH]; intros pre x; simpl; [reflexivity |]; f_equal.
+  - rewrite app_nth2, Nat.sub_diag by lia; reflexivity.
+  - replace (S (List.length pre)) with (List.length (pre ++ y :: nil)) by (rewrite app_length; simpl; lia).
+    rewrite <- (IH (pre ++ y :: nil) x), <- app_assoc; reflexivity.
+Qed.
+Lemma sum_said : forall g d m, fold_right Rplus 0 (said g d (S m)) = sum_n (fun k => snd (ways g d k)) m.
+Proof.
+  intros g d m; induction m as [| m IH]; [rewrite sum_O; simpl; ring |].
+  rewrite sum_Sn, <- IH; change plus with Rplus; change (said g d (S (S m))) with (taylor g d (S (S (S m))) :: said g d (S m)).
+  cbn [fold_right]; change (taylor g d (S (S (S m)))) with (snd (ways g d (S m))); ring.
+Qed.
+
+(* Boxes with floats of one kind and length. *)
+Module Type Length (F : Sig.FloatOps).
+Parameter prec : F.precision.
+End Length.
+Module Boxes (F : Sig.FloatOps with Definition sensible_format := true) (Floats_have : Length F).
+Module Import Floats := Values F.
+Definition prec := Floats_have.prec.
+Notation ops := (Floats.ops prec).
+Notation nullary_of := (Floats.nullary_of prec).
+Notation value_of := (Floats.value_of prec).
+Notation has_nullary := (Floats.has_nullary prec).
+Notation has_unary := (Floats.has_unary prec).
+Notation has_binary := (Floats.has_binary prec).
+Notation has_value := (Floats.has_value prec).
+Notation ball := Ball.type.
+
+(* -- slopes: f(x) - f(c) = s . (x - c) ------------------------------------------------ *)
 
 (* A function on a box: its values; its value in the middle and its slopes, where they are known. *)
 Record node := Node { values : ball; slopes : option (ball * list ball) }.
@@ -310,9 +606,10 @@ End Slopes.
 (* -- pieces -------------------------------------------------------------------------- *)
 
 Section Pieces.
-Variables (rests inner : list expr) (outer : expr).
+Variables (rests chain : list expr) (kept : nat) (inner : list expr) (outer : expr).
 (* Of each variable a box's part; of what is left out of a series a bound; of what is named how it
-   is made of the variables, of that, and of what is named before it. *)
+   is made of the variables, of that, and of what is named before it.  Of a chain of names only the
+   last are kept. *)
 
 Definition around (X : ball) : ball := Ball.join (Ball.neg X) X.
 Definition whole_box (box : list ball) : list ball := box ++ map (fun e => around (value_of e box)) rests.
@@ -327,7 +624,8 @@ Definition above (X : ball) : bool := match Ball.sign_strict X with Xgt => true 
 Definition decided (box : list ball) : bool :=
   let all := whole_box box in
   let W := ways_of all in
-  let env := fold_left (fun known e => node_of W e known :: known) inner (variables 0 all) in
+  let named := fold_left (fun known e => node_of W e known :: known) in
+  let env := named inner (last_of nowhere kept (named chain (variables 0 all)) ++ variables 0 all) in
   above (value_of outer (map values env)) || above (values (node_of W outer env)).
 
 Definition parts (n : nat) (box : list ball) : list ball * list ball :=
@@ -352,9 +650,8 @@ Fixpoint pieces (fuel : nat) (cuts : string) (box : list ball) : option string :
   end.
 
 Definition within_rests (x r : list R) : Prop := Forall2 (fun e y => Rabs y <= eval e x) rests r.
-Definition with_names (es : list expr) : list R -> list R := fold_left (fun x e => eval e x :: x) es.
-Definition holds (x : list R) : Prop :=
-  forall r, within_rests x r -> 0 < eval outer (with_names inner (x ++ r)).
+Definition all_names (x : list R) : list R := with_names inner (last_of 0 kept (with_names chain x) ++ x).
+Definition holds (x : list R) : Prop := forall r, within_rests x r -> 0 < eval outer (all_names (x ++ r)).
 
 Lemma has_around : forall X x r, has X x -> Rabs r <= x -> has (around X) r.
 Proof.
@@ -406,12 +703,14 @@ Proof.
   set (w := map (fun p => fst p - middle (snd p)) (combine y all)).
   assert (V : forall n, good w (nth n (variables 0 all) nowhere) (nth n y 0) (nth n (map middle all) 0)).
   { intro n; apply good_variables; [exact G | reflexivity]. }
-  set (N := fold_left _ inner (variables 0 all)) in D.
-  set (c := fold_left (fun x e => eval e x :: x) inner (map middle all)).
-  assert (U : forall n, good w (nth n N nowhere) (nth n (with_names inner y) 0) (nth n c 0)).
-  { clear D F W; subst N c; unfold with_names; revert V; generalize (variables 0 all), y, (map middle all).
-    induction inner as [| e more IH]; intros N z c V; simpl; [exact V |].
+  set (named := fold_left (fun known e => node_of (ways_of all) e known :: known)) in D.
+  assert (I : forall es N z c, (forall n, good w (nth n N nowhere) (nth n z 0) (nth n c 0)) ->
+    forall n, good w (nth n (named es N) nowhere) (nth n (with_names es z) 0) (nth n (with_names es c) 0)).
+  { clear - G; subst named; unfold with_names; induction es as [| e more IH]; intros N z c V; simpl; [exact V |].
     apply IH; intros [| n]; [| apply V]; apply good_node; [apply has_ways, G | exact V]. }
+  set (N := named inner _) in D; set (c := all_names (map middle all)).
+  assert (U : forall n, good w (nth n N nowhere) (nth n (all_names y) 0) (nth n c 0)).
+  { apply I; intro n; rewrite !nth_last_of; destruct (n <? kept)%nat; [apply I |]; apply V. }
   apply orb_prop in D; destruct D as [D | D].
   - refine (above_zero _ _ (has_value outer _ _ _) D); intro n.
     rewrite (map_nth values N nowhere n : nth n (map values N) Ball.nai = _); apply (U n).
@@ -449,7 +748,7 @@ Definition checked (ends : list (expr * expr)) (cuts : string) : bool :=
   match pieces (Datatypes.S (String.length cuts)) cuts (map side ends) with Some EmptyString => true | _ => false end.
 Theorem boxed : forall ends cuts x r, checked ends cuts = true ->
   Forall2 lies ends x -> Forall2 (fun e y => Rabs y <= eval e x) rests r ->
-  0 < eval outer (with_names inner (x ++ r)).
+  0 < eval outer (all_names (x ++ r)).
 Proof.
   intros ends cuts x r E F; unfold checked in E.
   destruct (pieces (Datatypes.S (String.length cuts)) cuts (map side ends)) eqn:P; [| discriminate].
@@ -460,268 +759,124 @@ Proof.
 Qed.
 End Pieces.
 
-(* -- boxes of plants ------------------------------------------------------------------ *)
+(* -- a device's numbers on a box ------------------------------------------------------ *)
 
-(* The way under a unit force that is held, from rest: y'' + d y' + g y = 1.  Its power series in
-   time; the pair has the coefficients of t^(k+1) and t^(k+2). *)
-Fixpoint ways (g d : R) (k : nat) : R * R :=
-  match k with
-  | O => (0, 1 / 2)
-  | S m =>
-      let (p, q) := ways g d m in
-      (q, - (d * q / INR (m + 3) + g * p / (INR (m + 3) * INR (m + 2))))
-  end.
-Definition held (g d x : R) : Prop := is_series (fun k => snd (ways g d k)) x.
+(* The numbers of a device, of gamma, delta, others and what is left out of two series with m + 1 terms: their last four
+   are a, n_0, e and n_1. *)
+Definition sum_of (m : nat) (rest : nat) : expr := Ebinary Tree.Add (total 0 (m + 2)) (Evar (m + 2 + rest)).
+Definition numbers_of (m others : nat) : list expr :=
+  coefficients Evar (fun n => Evar (n + 1)) (Datatypes.S m) ++ sum_of m (2 + others) ::
+  coefficients (fun n => Evar (n + (m + 3))) (fun n => Eunary Neg (Evar (n + (m + 4)))) (Datatypes.S m) ++
+  sum_of m (m + 3 + (3 + others)) ::
+  Evar (m + 3) :: Eunary Exp (Eunary Neg (Evar (2 * (m + 3) + 2))) :: Ebinary Mul (Evar 0) (Evar 2) ::
+  Ebinary Sub (Ebinary Tree.Add (Econst (Int 1)) (Evar 1))
+    (Ebinary Mul (Evar (2 * (m + 3) + 3)) (Ebinary Tree.Add (Evar 2) (Evar 0))) :: nil.
+Fixpoint factorial (n : nat) : Z := match n with O => 1 | Datatypes.S k => Z.of_nat n * factorial k end.
+Lemma factorial_is : forall n, IZR (factorial n) = INR (fact n).
+Proof.
+  induction n as [| n IH]; [reflexivity |].
+  rewrite fact_simpl, mult_INR, <- IH; cbn [factorial]; rewrite mult_IZR, <- INR_IZR_INZ; reflexivity.
+Qed.
+Definition left_out_of (m : nat) : expr :=
+  Ebinary Mul (Econst (Int 2)) (quotient (Eunary (PowerInt (Z.of_nat (m + 3)))
+    (Ebinary Tree.Add (Ebinary Tree.Add (Econst (Int 1)) (Eunary Abs (Evar 1))) (Eunary Abs (Evar 0)))) (factorial (m + 3))).
+Definition rests_of (m : nat) : list expr := left_out_of m :: left_out_of m :: nil.
+(* Between -(m + 2)/4 and (m + 2)/4. *)
+Definition small_side (m : nat) (ends : expr * expr) : bool :=
+  let most := value_of (quotient (Econst (Int (Z.of_nat (m + 2)))) 4) nil in
+  above (Ball.sub prec most (side ends)) && above (add most (side ends)).
+Lemma has_side : forall ends x, lies ends x -> has (side ends) x.
+Proof.
+  intros [a b] x L; apply (J.join_correct _ _ (eval a nil) (eval b nil));
+    [apply has_value; intros [|]; apply has_nai .. | exact L].
+Qed.
+Lemma small_side_holds : forall m ends x, small_side m ends = true -> lies ends x -> Rabs x <= INR (m + 2) / 4.
+Proof.
+  intros m ends x S L; apply andb_prop in S; destruct S as [S T]; apply has_side in L.
+  assert (M : has (value_of (quotient (Econst (Int (Z.of_nat (m + 2)))) 4) nil) (INR (m + 2) / 4)).
+  { rewrite INR_IZR_INZ; apply (has_value (quotient (Econst (Int (Z.of_nat (m + 2)))) 4) nil nil);
+      intros [|]; apply has_nai. }
+  apply (above_zero _ (INR (m + 2) / 4 - x)) in S; [| apply J.sub_correct; [exact M | exact L]].
+  apply (above_zero _ (INR (m + 2) / 4 + x)) in T; [| apply has_add; [exact M | exact L]].
+  apply Rabs_le; lra.
+Qed.
+Definition checked_numbers (m others : nat) (inner : list expr) (outer : expr) (ends : list (expr * expr)) (cuts : string) : bool :=
+  forallb (small_side m) (firstn 2 ends) &&
+  checked (rests_of m) (numbers_of m others) 4 inner outer ends cuts.
+Lemma names_of : forall m g d others r s n1 n0 a e, n1 = sum_n (fun k => snd (ways g d k)) m + r ->
+  n0 = exp (- d) * (sum_n (fun k => snd (ways g (- d) k)) m + s) -> e = exp (- d) -> a = 1 + e - g * (n1 + n0) ->
+  last_of 0 4 (with_names (numbers_of m (List.length others)) (g :: d :: others ++ r :: s :: nil)) = a :: n0 :: e :: n1 :: nil.
+Proof.
+  intros m g d others r s n1 n0 a e N1 N0 E A; set (x := g :: d :: others ++ r :: s :: nil).
+  unfold with_names, numbers_of; rewrite fold_left_app.
+  fold (with_names (coefficients Evar (fun n => Evar (n + 1)) (Datatypes.S m)) x).
+  rewrite (named_coefficients g d) by (intro l; cbn [eval];
+    first [rewrite app_nth2, Nat.sub_diag by lia | rewrite app_nth2 by lia; replace (_ + 1 - _)%nat with 1%nat by lia]; reflexivity).
+  cbn [fold_left]; set (y := said g d (Datatypes.S m) ++ x); assert (S1 : eval (sum_of m (2 + List.length others)) y = n1).
+  { unfold sum_of; cbn [eval binary_real]; rewrite N1, <- sum_said; f_equal.
+    - replace (m + 2)%nat with (List.length (said g d (Datatypes.S m))) by (rewrite said_length; lia).
+      apply (total_of _ nil x).
+    - unfold y; rewrite app_nth2, said_length by (rewrite said_length; lia).
+      replace (m + 2 + (2 + List.length others) - Datatypes.S (Datatypes.S m))%nat with (2 + List.length others)%nat by lia.
+      unfold x; cbn [nth Nat.add]; rewrite app_nth2, Nat.sub_diag by lia; reflexivity. }
+  rewrite S1, fold_left_app; set (z := n1 :: y).
+  assert (Z : List.length (n1 :: said g d (Datatypes.S m)) = (m + 3)%nat) by (cbn [List.length]; rewrite said_length; lia).
+  match goal with |- context [fold_left _ (coefficients ?G ?D ?k) z] => change (fold_left (fun x e => eval e x :: x) (coefficients G D k) z)
+    with (with_names (coefficients G D k) z) end.
+  assert (Far : forall l n, nth (List.length l + (m + 3 + n)) (l ++ z) 0 = nth n x 0).
+  { intros l n; rewrite app_nth2 by lia; replace (List.length l + (m + 3 + n) - List.length l)%nat with (m + 3 + n)%nat by lia.
+    change z with ((n1 :: said g d (Datatypes.S m)) ++ x); rewrite app_nth2 by lia; f_equal; lia. }
+  rewrite (named_coefficients g (- d)).
+  2: { intro l; cbn [eval]; generalize (Far l 0%nat); rewrite Nat.add_0_r; intro H; rewrite H; reflexivity. }
+  2: { intro l; cbn [eval unary_real]; generalize (Far l 1%nat); replace (m + 3 + 1)%nat with (m + 4)%nat by lia; intro H; rewrite H; reflexivity. }
+  cbn [fold_left]; set (q := said g (- d) (Datatypes.S m)) in *; assert (Q : List.length q = (m + 2)%nat) by (unfold q; rewrite said_length; lia).
+  set (s2 := eval (sum_of m (m + 3 + (3 + List.length others))) (q ++ z)).
+  assert (S2 : s2 = sum_n (fun k => snd (ways g (- d) k)) m + s).
+  { unfold s2, sum_of; cbn [eval binary_real]; rewrite <- sum_said; f_equal.
+    - rewrite <- Q; apply (total_of q nil z).
+    - rewrite <- Q at 1; rewrite Far; unfold x; cbn [nth Nat.add].
+      rewrite app_nth2 by lia; replace (Datatypes.S (List.length others) - List.length others)%nat with 1%nat by lia; reflexivity. }
+  clearbody s2.
+  assert (V1 : eval (Evar (m + 3)) (s2 :: q ++ z) = n1).
+  { cbn [eval]; replace (m + 3)%nat with (Datatypes.S (m + 2)) by lia; cbn [nth]; rewrite app_nth2, Q, Nat.sub_diag by lia; reflexivity. }
+  rewrite V1; set (v := n1 :: s2 :: q ++ z).
+  assert (V2 : eval (Eunary Exp (Eunary Neg (Evar (2 * (m + 3) + 2)))) v = e).
+  { cbn [eval unary_real]; rewrite E; do 2 f_equal; unfold v.
+    replace (2 * (m + 3) + 2)%nat with (Datatypes.S (Datatypes.S (List.length q + (m + 3 + 1)))) by lia; cbn [nth]; rewrite Far; reflexivity. }
+  rewrite V2; assert (V3 : eval (Ebinary Mul (Evar 0) (Evar 2)) (e :: v) = n0).
+  { cbn [eval binary_real]; unfold v; cbn [nth]; rewrite N0, S2, E; reflexivity. }
+  rewrite V3; unfold last_of; cbn [seq map nth]; unfold v; repeat f_equal.
+  cbn [eval binary_real nullary_real]; replace (2 * (m + 3) + 3)%nat with (3 + Datatypes.S (List.length q + (m + 3 + 0)))%nat by lia.
+  cbn [nth Nat.add]; rewrite Far; cbn [nth]; rewrite A; unfold x; cbn [nth]; reflexivity.
+Qed.
+Theorem boxed_numbers : forall m inner outer ends cuts g d others n1 n0 a e,
+  device g d n1 n0 a e ->
+  checked_numbers m (List.length others) inner outer ends cuts = true -> Forall2 lies ends (g :: d :: others) ->
+  forall t, (forall r s, eval outer (with_names inner (a :: n0 :: e :: n1 :: (g :: d :: others) ++ r :: s :: nil)) = t) ->
+  0 < t.
+Proof.
+  intros m inner outer ends cuts g d others n1 n0 a e V C F t T; unfold checked_numbers in C.
+  apply andb_prop in C; destruct C as [B C].
+  assert (G := F); inversion G as [| G1 ? ends' ? Lg F']; subst; inversion F' as [| G2 ? ends'' ? Ld F'']; subst.
+  simpl in B; apply andb_prop in B; destruct B as [Bg B]; apply andb_prop in B; destruct B as [Bd _].
+  assert (K := small_side_holds m _ _ Bg Lg); assert (L := small_side_holds m _ _ Bd Ld).
+  destruct (sampled m g d n1 n0 a e V) as (r & s & Pr & Ps & N1 & N0 & E & A).
+  { replace (m + 4)%nat with (m + 2 + 2)%nat by lia; rewrite (plus_INR (m + 2)); simpl (INR 2); lra. }
+  rewrite <- (T r s); clear t T.
+  assert (O : eval (left_out_of m) (g :: d :: others) = left_out m g d).
+  { unfold left_out, left_out_of, quotient; cbn [eval binary_real unary_real nullary_real nth]; rewrite factorial_is, <- pow_powerRZ; reflexivity. }
+  rewrite <- O in Pr, Ps.
+  assert (P := boxed _ _ _ _ _ _ _ _ (r :: s :: nil) C F ltac:(repeat (apply Forall2_cons; [assumption |]); apply Forall2_nil)).
+  unfold all_names in P; cbn [app] in P; rewrite (names_of m g d others r s n1 n0 a e N1 N0 E A) in P; exact P.
+Qed.
+End Boxes.
 
-Lemma ways_next : forall g d k,
-  snd (ways g d (S (S k))) =
-  - (d * snd (ways g d (S k)) / INR (k + 4) + g * snd (ways g d k) / (INR (k + 4) * INR (k + 3))).
-Proof.
-  intros g d k; cbn [ways]; destruct (ways g d k) as [p q]; cbn [snd].
-  replace (S k + 3)%nat with (k + 4)%nat by lia; replace (S k + 2)%nat with (k + 3)%nat by lia.
-  reflexivity.
-Qed.
-
-(* The coefficients of the powers of the time, and that they fall as those of an exponential. *)
-Definition taylor (g d : R) (n : nat) : R := match n with S (S k) => snd (ways g d k) | _ => 0 end.
-Lemma taylor_next : forall g d n, INR (n + 2) * INR (n + 1) * taylor g d (S (S n)) + d * (INR (n + 1) * taylor g d (S n)) + g * taylor g d n =
-  match n with O => 1 | _ => 0 end.
-Proof.
-  intros g d [| [| n]]; [simpl; field | simpl; field |].
-  change (taylor g d (S (S (S (S n))))) with (snd (ways g d (S (S n)))); change (taylor g d (S (S (S n)))) with (snd (ways g d (S n))).
-  change (taylor g d (S (S n))) with (snd (ways g d n)); rewrite ways_next.
-  replace (S (S n) + 2)%nat with (n + 4)%nat by lia; replace (S (S n) + 1)%nat with (n + 3)%nat by lia.
-  assert (INR (n + 4) <> 0) by (apply not_0_INR; lia); assert (INR (n + 3) <> 0) by (apply not_0_INR; lia); field; split; assumption.
-Qed.
-Lemma taylor_falls : forall g d n, Rabs (taylor g d n) <= (1 + Rabs d + Rabs g) ^ n / INR (fact n).
-Proof.
-  intros g d; set (k := 1 + Rabs d + Rabs g); assert (K : 1 <= k) by (unfold k; generalize (Rabs_pos d) (Rabs_pos g); lra).
-  assert (B : forall n, Rabs (taylor g d n) * INR (fact n) <= k ^ n /\ Rabs (taylor g d (S n)) * INR (fact (S n)) <= k ^ S n).
-  { induction n as [| n [A B]].
-    - simpl; rewrite Rabs_R0; split; lra.
-    - split; [exact B |]; assert (T := taylor_next g d n).
-      assert (P1 : 0 < INR (n + 1)) by (apply lt_0_INR; lia); assert (P2 : 0 < INR (n + 2)) by (apply lt_0_INR; lia).
-      assert (Pf : 0 < INR (fact n)) by apply INR_fact_lt_0.
-      replace (INR (fact (S (S n)))) with (INR (n + 2) * INR (n + 1) * INR (fact n)).
-      2: { rewrite !fact_simpl, !mult_INR; replace (S (S n)) with (n + 2)%nat by lia; replace (S n) with (n + 1)%nat by lia; ring. }
-      replace (Rabs (taylor g d (S (S n))) * (INR (n + 2) * INR (n + 1) * INR (fact n))) with
-        (Rabs (INR (n + 2) * INR (n + 1) * taylor g d (S (S n))) * INR (fact n)).
-      2: { rewrite !Rabs_mult, (Rabs_pos_eq (INR (n + 2))), (Rabs_pos_eq (INR (n + 1))) by lra; ring. }
-      rewrite fact_simpl, mult_INR in B; replace (S n) with (n + 1)%nat in B by lia.
-      set (u := match n with O => 1 | _ => 0 end) in T.
-      replace (INR (n + 2) * INR (n + 1) * taylor g d (S (S n))) with (u - d * (INR (n + 1) * taylor g d (S n)) - g * taylor g d n) by lra.
-      assert (U : Rabs u * INR (fact n) <= k ^ S n).
-      { unfold u; destruct n; [simpl; rewrite Rabs_R1; lra | rewrite Rabs_R0, Rmult_0_l; apply pow_le; lra]. }
-      assert (Tr : Rabs (u - d * (INR (n + 1) * taylor g d (S n)) - g * taylor g d n) <=
-        Rabs u + Rabs d * (INR (n + 1) * Rabs (taylor g d (S n))) + Rabs g * Rabs (taylor g d n)).
-      { unfold Rminus; eapply Rle_trans; [apply Rabs_triang | apply Rplus_le_compat].
-        - eapply Rle_trans; [apply Rabs_triang |]; apply Rplus_le_compat_l; rewrite Rabs_Ropp, !Rabs_mult, (Rabs_pos_eq (INR (n + 1))) by lra; lra.
-        - rewrite Rabs_Ropp, Rabs_mult; lra. }
-      apply Rle_trans with ((Rabs u + Rabs d * (INR (n + 1) * Rabs (taylor g d (S n))) + Rabs g * Rabs (taylor g d n)) * INR (fact n)).
-      { apply Rmult_le_compat_r; [lra | exact Tr]. }
-      assert (Kn : k ^ n <= k ^ S n) by (simpl; assert (0 < k ^ n) by (apply pow_lt; lra); nra).
-      replace (n + 1)%nat with (S n) in * by lia.
-      assert (Q1 : Rabs d * (INR (S n) * Rabs (taylor g d (S n)) * INR (fact n)) <= Rabs d * k ^ S n).
-      { apply Rmult_le_compat_l; [apply Rabs_pos |]; eapply Rle_trans; [apply Req_le | exact B]; ring. }
-      assert (Q2 : Rabs g * (Rabs (taylor g d n) * INR (fact n)) <= Rabs g * k ^ S n).
-      { apply Rmult_le_compat_l; [apply Rabs_pos | lra]. }
-      assert (Sum : (Rabs u + Rabs d * (INR (S n) * Rabs (taylor g d (S n))) + Rabs g * Rabs (taylor g d n)) * INR (fact n) =
-        Rabs u * INR (fact n) + Rabs d * (INR (S n) * Rabs (taylor g d (S n)) * INR (fact n)) + Rabs g * (Rabs (taylor g d n) * INR (fact n))) by ring.
-      rewrite Sum; apply Rle_trans with (k ^ S n + Rabs d * k ^ S n + Rabs g * k ^ S n); [lra |].
-      change (k ^ S (S n)) with (k * k ^ S n); replace (k * k ^ S n) with ((1 + Rabs d + Rabs g) * k ^ S n) by reflexivity; lra. }
-  intro n; assert (P : 0 < INR (fact n)) by apply INR_fact_lt_0; apply Rle_div_r; [exact P | apply B].
-Qed.
-Lemma below_exp : forall z n, 0 <= z -> z ^ n / INR (fact n) <= exp z.
-Proof.
-  intros z n Z; assert (P : forall k, 0 <= z ^ k * / INR (fact k)).
-  { intro k; apply Rmult_le_pos; [apply pow_le, Z | apply Rlt_le, Rinv_0_lt_compat, INR_fact_lt_0]. }
-  assert (E := is_exp_Reals z); apply is_pseries_R in E.
-  assert (I : forall m, sum_n (fun k => / INR (fact k) * z ^ k) m <= sum_n (fun k => / INR (fact k) * z ^ k) (S m)).
-  { intro m; rewrite sum_Sn; change plus with Rplus; generalize (P (S m)); rewrite Rmult_comm; lra. }
-  assert (L := is_lim_seq_incr_compare _ (exp z) E I n); eapply Rle_trans; [| exact L].
-  destruct n as [| n]; [rewrite sum_O; simpl; lra |].
-  rewrite sum_Sn; assert (0 <= sum_n (fun k => / INR (fact k) * z ^ k) n).
-  { clear - P; induction n as [| n IH]; [rewrite sum_O; rewrite Rmult_comm; apply P |].
-    rewrite sum_Sn; change plus with Rplus; apply Rplus_le_le_0_compat; [exact IH | rewrite Rmult_comm; apply P]. }
-  eapply Rle_trans; [| apply Rplus_le_compat_r; exact H]; unfold Rdiv; apply Req_le; ring.
-Qed.
-Lemma taylor_converges : forall g d, CV_radius (taylor g d) = p_infty.
-Proof.
-  intros g d; set (k := 1 + Rabs d + Rabs g); assert (K : 1 <= k) by (unfold k; generalize (Rabs_pos d) (Rabs_pos g); lra).
-  assert (L : forall r : R, 0 <= r -> Rbar_le r (CV_radius (taylor g d))).
-  { intros r R0; destruct (CV_radius_bounded (taylor g d)) as [U _]; apply U.
-    exists (exp (k * r)); intro n; rewrite Rabs_mult, (Rabs_pos_eq (r ^ n)) by (apply pow_le, R0).
-    apply Rle_trans with ((k * r) ^ n / INR (fact n)); [| apply below_exp, Rmult_le_pos; lra].
-    rewrite Rpow_mult_distr; unfold Rdiv; rewrite (Rmult_comm (k ^ n)), Rmult_assoc, (Rmult_comm (r ^ n)).
-    apply Rmult_le_compat_r; [apply pow_le, R0 | apply taylor_falls]. }
-  destruct (CV_radius (taylor g d)) as [r | |]; [exfalso | reflexivity | exfalso; exact (L 0 (Rle_refl 0))].
-  assert (A := L (Rabs r + 1) ltac:(generalize (Rabs_pos r); lra)); simpl in A; generalize (Rle_abs r); lra.
-Qed.
-Lemma no_series : is_series (fun _ : nat => 0) 0.
-Proof. apply (filterlim_ext (fun _ => 0)); [intro n; rewrite sum_n_const; ring | apply filterlim_const]. Qed.
-(* The sum of the series in time is the motion under a unit force. *)
-Lemma series_moves : forall g d, moves g d 1 (PSeries (taylor g d)) (PSeries (PS_derive (taylor g d))).
-Proof.
-  intros g d t; set (a := taylor g d); assert (R0 : CV_radius a = p_infty) by apply taylor_converges.
-  assert (R1 : CV_radius (PS_derive a) = p_infty) by (rewrite CV_radius_derive; exact R0).
-  split; [apply is_derive_PSeries; rewrite R0; exact I |].
-  evar_last; [apply is_derive_PSeries; rewrite R1; exact I |].
-  assert (C : forall b, CV_radius b = p_infty -> ex_pseries b t) by (intros b B; apply CV_radius_inside; rewrite B; exact I).
-  assert (E : PSeries (PS_derive (PS_derive a)) t + d * PSeries (PS_derive a) t + g * PSeries a t = 1).
-  { assert (C2 : CV_radius (PS_derive (PS_derive a)) = p_infty) by (rewrite CV_radius_derive; exact R1).
-    assert (S0 := PSeries_correct _ _ (C _ R0)); assert (S1 := PSeries_correct _ _ (C _ R1)); assert (S2 := PSeries_correct _ _ (C _ C2)).
-    assert (T1 := is_pseries_scal d _ t _ (Rmult_comm _ _) S1); assert (T0 := is_pseries_scal g _ t _ (Rmult_comm _ _) S0).
-    assert (T := is_pseries_plus _ _ t _ _ (is_pseries_plus _ _ t _ _ S2 T1) T0).
-    apply (is_pseries_ext _ (fun n => match n with O => 1 | _ => 0 end)) in T.
-    - assert (One : is_pseries (fun n => match n with O => 1 | _ => 0 end) t 1).
-      { apply is_pseries_R, is_series_decr_1.
-        evar_last; [apply (is_series_ext (fun _ => 0)); [intro n; change (0 = 0 * t ^ S n); ring | apply no_series] |].
-        unfold plus, opp; simpl; ring. }
-      apply is_pseries_unique in T; apply is_pseries_unique in One; rewrite One in T; symmetry; exact T.
-    - intro n; transitivity (INR (n + 2) * INR (n + 1) * taylor g d (S (S n)) + d * (INR (n + 1) * taylor g d (S n)) + g * taylor g d n); [| apply taylor_next]; unfold PS_plus, PS_scal, PS_derive.
-      change plus with Rplus; change scal with Rmult; fold a; replace (n + 2)%nat with (S (S n)) by lia; replace (n + 1)%nat with (S n) by lia.
-      rewrite !S_INR; match goal with |- ?x = ?y => change (@eq R x y) end; ring. }
-  lra.
-Qed.
-
-Theorem on_plants : forall g d n1 n0 a e : R, device g d n1 n0 a e ->
-  held g d n1 /\ held g (- d) (n0 / exp (- d)) /\ e = exp (- d) /\ 1 - a + e = g * (n1 + n0).
-Proof.
-  intros g d n1 n0 a e V; assert (Start : forall k, PSeries (taylor g k) 0 = 0 /\ PSeries (PS_derive (taylor g k)) 0 = 0).
-  { intro k; rewrite !PSeries_0; unfold PS_derive; simpl; split; ring. }
-  assert (Sum : forall k, held g k (PSeries (taylor g k) 1)).
-  { intro k; unfold held; assert (R0 : CV_radius (taylor g k) = p_infty) by apply taylor_converges.
-    assert (P := PSeries_correct (taylor g k) 1 ltac:(apply CV_radius_inside; rewrite R0; exact I)); apply is_pseries_R in P.
-    apply (is_series_ext _ (taylor g k)) in P; [| intro n; rewrite pow1; apply Rmult_1_r].
-    apply (is_series_incr_n (taylor g k) 2); [lia |].
-    evar_last; [exact P |]; simpl pred; rewrite sum_Sn, sum_O; unfold plus; simpl; ring. }
-  assert (W := V); destruct W as (x1 & v1 & x2 & v2 & x3 & v3 & M & A & E & N1 & N0).
-  repeat split.
-  - rewrite N1; destruct (one_motion g d 1 _ _ _ _ (third _ _ _ _ _ _ _ _ M) (series_moves g d)) with (t := 1) as [X _];
-      [rewrite (third_place _ _ _ _ _ _ _ _ M); symmetry; apply Start | rewrite (third_speed _ _ _ _ _ _ _ _ M); symmetry; apply Start | lra |].
-    rewrite X; apply Sum.
-  - (* exp(d t) times the motion under the force exp(-d t) is that of the damping - d *)
-    set (w := fun t => x2 t * x2 t - v2 t * x3 t); set (s := fun t => x2 t - d * w t).
-    assert (B : moves g (- d) 1 (fun t => exp (d * t) * w t) (fun t => exp (d * t) * (s t + d * w t))).
-    { intro t; assert (P : is_derive w t (s t)) by apply (fading_force _ _ _ _ _ _ _ _ M t).
-      assert (Q : is_derive s t (exp (- d * t) - d * s t - g * w t)) by apply (fading_force _ _ _ _ _ _ _ _ M t).
-      assert (P' : Derive (fun t => w t) t = s t) by (apply is_derive_unique; exact P).
-      assert (Q' : Derive (fun t => s t) t = exp (- d * t) - d * s t - g * w t) by (apply is_derive_unique; exact Q).
-      assert (F : exp (d * t) * exp (- d * t) = 1) by (rewrite <- exp_plus, <- exp_0; f_equal; ring).
-      clearbody w s; split.
-      - auto_derive; [repeat split; eexists; eassumption | rewrite P'; ring].
-      - auto_derive; [repeat split; eexists; eassumption | rewrite P', Q'].
-        transitivity (exp (d * t) * exp (- d * t) + d * exp (d * t) * (s t + d * w t) - g * (exp (d * t) * w t)); [ring | rewrite F; ring]. }
-    destruct (one_motion g (- d) 1 _ _ _ _ B (series_moves g (- d))) with (t := 1) as [X _]; [| | lra |].
-    + rewrite (proj1 (Start (- d))); unfold w; rewrite (second_place _ _ _ _ _ _ _ _ M), (third_place _ _ _ _ _ _ _ _ M); ring.
-    + rewrite (proj2 (Start (- d))); unfold s, w; rewrite (second_place _ _ _ _ _ _ _ _ M), (third_place _ _ _ _ _ _ _ _ M); ring.
-    + replace (n0 / exp (- d)) with (PSeries (taylor g (- d)) 1); [apply Sum |].
-      rewrite <- X, N0, Rmult_1_r; destruct (held_force _ _ _ _ _ _ _ _ M 1) as (H & _); rewrite H.
-      unfold w; rewrite exp_Ropp; field; apply Rgt_not_eq, exp_pos.
-  - exact (device_loss _ _ _ _ _ _ V).
-  - generalize (device_at_rest _ _ _ _ _ _ V); lra.
-Qed.
-
-(* Up to t^8, what follows is less than the next coefficients say. *)
-Definition way (g d : R) : R :=
-  1/2 - d/6 + (d^2 - g)/24 - (d^3 - 2*g*d)/120 + (d^4 - 3*g*d^2 + g^2)/720
-  - (d^5 - 4*g*d^3 + 3*g^2*d)/5040 + (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3)/40320.
-Definition small (g d M : R) : Prop :=
-  Rabs (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) <= 40320 * M /\
-  Rabs (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) <= 181440 * M.
-
-Lemma ways_sum : forall g d, sum_n (fun k => snd (ways g d k)) 6 = way g d.
-Proof. intros; rewrite sum_n_Reals; unfold way; simpl; field. Qed.
-
-Lemma ways_fall : forall g d M, Rabs g <= 1 -> Rabs d <= 1 -> small g d M -> forall k,
-  Rabs (snd (ways g d (6 + k))) <= M * (1/2) ^ k /\ Rabs (snd (ways g d (7 + k))) <= M * (1/2) ^ (S k).
-Proof.
-  intros g d M G D [P Q] k; induction k as [| k [A B]].
-  - rewrite !Nat.add_0_r; split.
-    + replace (snd (ways g d 6)) with ((d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) / 40320) by (simpl; field).
-      unfold Rdiv; rewrite Rabs_mult, (Rabs_pos_eq (/ 40320)) by lra; rewrite pow_O; lra.
-    + replace (snd (ways g d 7)) with (- (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) / 362880) by (simpl; field).
-      unfold Rdiv; rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (/ 362880)) by lra; rewrite pow_1; lra.
-  - split; [replace (6 + S k)%nat with (7 + k)%nat by lia; exact B |].
-    replace (7 + S k)%nat with (S (S (6 + k))) by lia; rewrite ways_next.
-    replace (S (6 + k)) with (7 + k)%nat by lia.
-    assert (T : 10 <= INR (6 + k + 4)) by (rewrite !plus_INR; simpl; generalize (pos_INR k); lra).
-    assert (U : 9 <= INR (6 + k + 3)) by (rewrite !plus_INR; simpl; generalize (pos_INR k); lra).
-    set (t := INR (6 + k + 4)) in *; set (u := INR (6 + k + 3)) in *; clearbody t u.
-    set (x := snd (ways g d (7 + k))) in *; set (y := snd (ways g d (6 + k))) in *; clearbody x y.
-    set (m := M * (1/2) ^ k) in *.
-    replace (M * (1/2) ^ S k) with (m / 2) in B by (unfold m; simpl; field).
-    replace (M * (1/2) ^ S (S k)) with (m / 4) by (unfold m; simpl; field); clearbody m.
-    rewrite Rabs_Ropp; apply Rle_trans with (1 := Rabs_triang _ _).
-    assert (I : Rabs (d * x / t) <= m / 20).
-    { unfold Rdiv; rewrite !Rabs_mult; rewrite (Rabs_pos_eq (/ t)) by (apply Rlt_le, Rinv_0_lt_compat; lra).
-      replace (m * / 20) with (1 * (m / 2) * / 10) by field.
-      apply Rmult_le_compat; [apply Rmult_le_pos; apply Rabs_pos | apply Rlt_le, Rinv_0_lt_compat; lra | |].
-      - apply Rmult_le_compat; try apply Rabs_pos; assumption.
-      - apply Rinv_le_contravar; lra. }
-    assert (J : Rabs (g * y / (t * u)) <= m / 90).
-    { unfold Rdiv; rewrite !Rabs_mult.
-      assert (90 <= t * u) by nra.
-      rewrite (Rabs_pos_eq (/ (t * u))) by (apply Rlt_le, Rinv_0_lt_compat; lra).
-      replace (m * / 90) with (1 * m * / 90) by field.
-      apply Rmult_le_compat; [apply Rmult_le_pos; apply Rabs_pos | apply Rlt_le, Rinv_0_lt_compat; lra | |].
-      - apply Rmult_le_compat; try apply Rabs_pos; assumption.
-      - apply Rinv_le_contravar; lra. }
-    assert (0 <= m) by (apply Rle_trans with (2 := A); apply Rabs_pos); lra.
-Qed.
-
-Lemma held_near : forall g d x M, Rabs g <= 1 -> Rabs d <= 1 -> small g d M -> held g d x ->
-  exists r, - M <= r <= M /\ x = way g d + r.
-Proof.
-  intros g d x M G D S H; exists (x - way g d); split; [| ring].
-  set (b := fun k => snd (ways g d (7 + k))).
-  assert (B : is_series b (x - way g d)).
-  { apply (is_series_incr_n (fun k => snd (ways g d k)) 7); [lia |].
-    simpl Init.Nat.pred; rewrite ways_sum; change plus with Rplus.
-    replace (x - way g d + way g d) with x by ring; exact H. }
-  assert (F : forall k, Rabs (b k) <= M / 2 * (1/2) ^ k).
-  { intro k; replace (M / 2 * (1/2) ^ k) with (M * (1/2) ^ (Datatypes.S k)) by (simpl; field).
-    apply (ways_fall g d M G D S k). }
-  assert (T : is_series (fun k => M / 2 * (1/2) ^ k) M).
-  { assert (W : Rabs (1/2) < 1) by (rewrite Rabs_pos_eq; lra).
-    assert (V : is_series (fun k => M / 2 * (1/2) ^ k) (M / 2 * (/ (1 - 1/2))))
-      by exact (is_series_scal (M / 2) (fun k => (1/2) ^ k) (/ (1 - 1/2)) (is_series_geom (1/2) W)).
-    replace (M / 2 * / (1 - 1/2)) with M in V by field; exact V. }
-  assert (X : ex_series (fun k => Rabs (b k))).
-  { apply (ex_series_le (fun k => Rabs (b k)) (fun k => M / 2 * (1/2) ^ k)); [| exists M; exact T].
-    intro k; unfold norm; simpl; unfold abs; simpl; rewrite Rabs_Rabsolu; apply F. }
-  assert (Y : Rabs (x - way g d) <= M).
-  { rewrite <- (is_series_unique _ _ B), <- (is_series_unique _ _ T).
-    apply Rle_trans with (1 := Series_Rabs b X).
-    apply Series_le; [| exists M; exact T]; intro k; split; [apply Rabs_pos | apply F]. }
-  apply Rabs_le_between; exact Y.
-Qed.
-
-(* A bound of what follows t^8. *)
-Definition left_out (g d : R) : R :=
-  Rabs (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) / 40320 + Rabs (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) / 181440.
-Lemma small_left_out : forall g d, small g d (left_out g d).
-Proof.
-  intros g d; unfold small, left_out.
-  assert (P := Rabs_pos (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3)).
-  assert (Q := Rabs_pos (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d)); split; lra.
-Qed.
-Lemma held_within : forall g d x, Rabs g <= 1 -> Rabs d <= 1 -> held g d x ->
-  exists r, Rabs r <= left_out g d /\ x = way g d + r.
-Proof.
-  intros g d x G D H; destruct (held_near g d x (left_out g d) G D (small_left_out g d) H) as (r & B & E).
-  exists r; split; [apply Rabs_le; exact B | exact E].
-Qed.
-Lemma sampled : forall g d n1 n0 a e : R, device g d n1 n0 a e -> Rabs g <= 1 -> Rabs d <= 1 ->
-  exists r s, Rabs r <= left_out g d /\ Rabs s <= left_out g (- d) /\ n1 = way g d + r /\
-    n0 = exp (- d) * (way g (- d) + s) /\ e = exp (- d) /\ - a + e + 1 = g * (n1 + n0).
-Proof.
-  intros g d n1 n0 a e V G D; destruct (on_plants g d n1 n0 a e V) as (P & Q & E & A).
-  destruct (held_within g d n1 G D P) as (r & R & X).
-  destruct (held_within g (- d) _ G ltac:(rewrite Rabs_Ropp; exact D) Q) as (t & T & Y).
-  exists r, t; repeat split; try assumption; [| lra].
-  rewrite <- Y; field; apply Rgt_not_eq, exp_pos.
-Qed.
+(* Primitive floats, which are fast, and floats of 120 bits, for a difference of nearly equal terms. *)
+Module Short <: Length PrimitiveFloat. Definition prec := PrimitiveFloat.PtoP 53. End Short.
+Module Big := SpecificFloat BigIntRadix2.
+Module Long <: Length Big. Definition prec := Big.PtoP 120. End Long.
+Module Fast := Boxes PrimitiveFloat Short.
+Module Exact := Boxes Big Long.
 
 (* -- tactics ------------------------------------------------------------------------- *)
 
@@ -733,70 +888,6 @@ Ltac ends_expressed ends :=
       let es := ends_expressed more in constr:((x, y) :: es)
   end.
 
-(* -- a device's numbers on a box ------------------------------------------------------ *)
-
-Definition way_of : expr -> expr -> expr :=
-  ltac:(let f := eval cbv delta [way] in way in let e := expression f in exact e).
-Definition left_out_of : expr -> expr -> expr :=
-  ltac:(let f := eval cbv delta [left_out] in left_out in let e := expression f in exact e).
-(* n_1, e, n_0 and a, each of gamma, delta, others, what is left out of the series, and those before it. *)
-Definition numbers_of (others : nat) : list expr :=
-  Ebinary Tree.Add (way_of (Evar 0) (Evar 1)) (Evar (2 + others)) :: Eunary Exp (Eunary Neg (Evar 2)) ::
-  Ebinary Mul (Evar 0) (Ebinary Tree.Add (way_of (Evar 2) (Eunary Neg (Evar 3))) (Evar (5 + others))) ::
-  Ebinary Sub (Ebinary Tree.Add (Econst (Int 1)) (Evar 1)) (Ebinary Mul (Evar 3) (Ebinary Tree.Add (Evar 2) (Evar 0))) ::
-  nil.
-Definition rests_of : list expr :=
-  left_out_of (Evar 0) (Evar 1) :: left_out_of (Evar 0) (Eunary Neg (Evar 1)) :: nil.
-Definition small_side (ends : expr * expr) : bool :=
-  let one := Ball.fromZ prec 1 in
-  above (Ball.sub prec one (side ends)) && above (add one (side ends)).
-Lemma has_side : forall ends x, lies ends x -> has (side ends) x.
-Proof.
-  intros [a b] x L; apply (J.join_correct _ _ (eval a nil) (eval b nil));
-    [apply has_value; intros [|]; apply has_nai .. | exact L].
-Qed.
-Lemma small_side_holds : forall ends x, small_side ends = true -> lies ends x -> Rabs x <= 1.
-Proof.
-  intros ends x S L; apply andb_prop in S; destruct S as [S T]; apply has_side in L.
-  apply (above_zero _ (1 - x)) in S; [| apply J.sub_correct; [apply has_number | exact L]].
-  apply (above_zero _ (1 + x)) in T; [| apply has_add; [apply has_number | exact L]].
-  apply Rabs_le; lra.
-Qed.
-Definition checked_numbers (others : nat) (inner : list expr) (outer : expr) (ends : list (expr * expr)) (cuts : string) : bool :=
-  forallb small_side (firstn 2 ends) &&
-  checked rests_of (numbers_of others ++ inner) outer ends cuts.
-Theorem boxed_numbers : forall inner outer ends cuts g d others n1 n0 a e,
-  device g d n1 n0 a e ->
-  checked_numbers (List.length others) inner outer ends cuts = true -> Forall2 lies ends (g :: d :: others) ->
-  forall t, (forall r s, eval outer (with_names inner (a :: n0 :: e :: n1 :: (g :: d :: others) ++ r :: s :: nil)) = t) ->
-  0 < t.
-Proof.
-  intros inner outer ends cuts g d others n1 n0 a e V C F t T; unfold checked_numbers in C.
-  apply andb_prop in C; destruct C as [B C].
-  assert (G := F); inversion G as [| G1 ? ends' ? Lg F']; subst; inversion F' as [| G2 ? ends'' ? Ld F'']; subst.
-  simpl in B; apply andb_prop in B; destruct B as [Bg B]; apply andb_prop in B; destruct B as [Bd _].
-  destruct (sampled g d n1 n0 a e V (small_side_holds _ _ Bg Lg) (small_side_holds _ _ Bd Ld))
-    as (r & s & Pr & Ps & N1 & N0 & E & A).
-  rewrite <- (T r s); clear t T.
-  assert (P := boxed _ _ _ _ _ _ (r :: s :: nil) C F ltac:(repeat (apply Forall2_cons; [assumption |]); apply Forall2_nil)).
-  unfold with_names in P; rewrite fold_left_app in P; fold (with_names inner) in P.
-  match type of P with context [fold_left ?f (numbers_of ?k) ?l] =>
-    replace (fold_left f (numbers_of k) l) with (a :: n0 :: e :: n1 :: l) in P; [exact P | symmetry] end.
-  set (l := (g :: d :: others) ++ r :: s :: nil) in *.
-  assert (K : nth (List.length others) (others ++ r :: s :: nil) 0 = r) by
-    (rewrite app_nth2, Nat.sub_diag by lia; reflexivity).
-  assert (L : nth (Datatypes.S (List.length others)) (others ++ r :: s :: nil) 0 = s) by
-    (rewrite app_nth2 by lia; replace (Datatypes.S _ - _)%nat with 1%nat by lia; reflexivity).
-  unfold numbers_of; cbn [fold_left].
-  set (v1 := eval _ l); assert (M1 : v1 = n1).
-  { change (way g d + nth (List.length others) (others ++ r :: s :: nil) 0 = n1); rewrite K, N1; reflexivity. }
-  clearbody v1; subst v1; set (v2 := eval (Eunary Exp _) _).
-  assert (M2 : v2 = e) by (rewrite E; reflexivity); clearbody v2; subst v2; set (v3 := eval (Ebinary Mul _ _) _).
-  assert (M3 : v3 = n0).
-  { change (e * (way g (- d) + nth (Datatypes.S (List.length others)) (others ++ r :: s :: nil) 0) = n0).
-    rewrite L, N0, E; reflexivity. }
-  clearbody v3; subst v3; repeat f_equal; simpl; lra.
-Qed.
 Lemma positive_as : forall t s : R, t = s -> 0 < s -> 0 < t.
 Proof. intros t s E P; rewrite E; exact P. Qed.
 (* Expressions for terms, each of those in a list and of the terms before it, and the list with them. *)
@@ -815,7 +906,9 @@ Ltac in_pieces xs ends cuts :=
   let ends := ends_expressed ends in
   lazymatch goal with |- 0 < ?t =>
     let outer := expressed t xs in
-    exact (boxed nil nil outer ends cuts xs nil ltac:(vm_compute; reflexivity) ltac:(sided) (Forall2_nil _))
+    first
+      [ exact (Fast.boxed nil nil 0 nil outer ends cuts xs nil ltac:(vm_compute; reflexivity) ltac:(sided) (Forall2_nil _))
+      | exact (Exact.boxed nil nil 0 nil outer ends cuts xs nil ltac:(vm_compute; reflexivity) ltac:(sided) (Forall2_nil _)) ]
   end.
 (* Of a device's numbers and of gamma, delta and others; vs are further terms that it names. *)
 Ltac of_device vs xs ends cuts :=
@@ -825,8 +918,13 @@ Ltac of_device vs xs ends cuts :=
       let terms := with_terms vs constr:(a :: n0 :: e :: n1 :: xs) in
       lazymatch terms with (?inner, ?l) =>
         let outer := expressed t l in
-        exact (boxed_numbers inner outer ends cuts g d others n1 n0 a e V
-          ltac:(vm_compute; reflexivity) ltac:(sided) t (fun r s => eq_refl t))
+        first
+          [ exact (Fast.boxed_numbers 14 inner outer ends cuts g d others n1 n0 a e V
+              ltac:(vm_compute; reflexivity) ltac:(sided) t (fun r s => eq_refl t))
+          | exact (Fast.boxed_numbers 40 inner outer ends cuts g d others n1 n0 a e V
+              ltac:(vm_compute; reflexivity) ltac:(sided) t (fun r s => eq_refl t))
+          | exact (Exact.boxed_numbers 40 inner outer ends cuts g d others n1 n0 a e V
+              ltac:(vm_compute; reflexivity) ltac:(sided) t (fun r s => eq_refl t)) ]
       end
     end
   end.

@@ -316,8 +316,13 @@ Ltac known_values :=
 Ltac other_field nz :=
   tryif (try unfold Rdiv; functions_named; expressible) then fail else
   solve [undivided; first [solve [ring] | field; nz]].
-Ltac same_field := first [reflexivity | solve [fraction; nz] | other_field nz].
-Ltac quick_field := first [reflexivity | solve [fraction; nz_quick] | other_field nz_quick].
+Lemma cancelled_left : forall x y : R, x <> 0 -> x * y / x = y.
+Proof. intros; field; assumption. Qed.
+Lemma cancelled_right : forall x y : R, x <> 0 -> y * x / x = y.
+Proof. intros; field; assumption. Qed.
+Ltac cancelled := first [apply cancelled_left | apply cancelled_right]; assumption.
+Ltac same_field := first [reflexivity | cancelled | solve [fraction; nz] | other_field nz].
+Ltac quick_field := first [reflexivity | cancelled | solve [fraction; nz_quick] | other_field nz_quick].
 Lemma pythagoras : forall x, sin x ^ 2 + cos x ^ 2 - 1 = 0.
 Proof. intro x; generalize (sin2_cos2 x); unfold Rsqr; intro H; nra. Qed.
 
@@ -934,6 +939,11 @@ Ltac back_cos a b :=
 Ltac reflected := turned_by sin back_sin; turned_by cos back_cos.
 Ltac unified :=
   alike cos; alike sin; alike exp; alike tan; alike ln; alike sqrt; alike Rabs; alike atan.
+(* An exponential of the opposite argument. *)
+Ltac inverted :=
+  repeat match goal with |- context [exp ?a] => match goal with |- context [exp ?b] =>
+    tryif constr_eq a b then fail else
+    replace (exp b) with (/ exp a) by (rewrite <- exp_Ropp; f_equal; argument) end end.
 
 Lemma Cover_one : forall x y z : C, x = z -> y = RtoC 1 -> (x / y)%C = z.
 Proof. intros x y z E F; rewrite E, F; field; apply Cnot_zero; lra. Qed.
@@ -959,6 +969,7 @@ Ltac same :=
         | solve [rooted_field]
         | solve [known_values; quick_field]
         | solve [unified; quick_field]
+        | solve [inverted; quick_field]
         | solve [unified; reflected; valued; known_values; quick_field]
         | solve [unfold tan, cot, sinh, cosh, tanh, Rminus; unified; known_values; quick_field] ]
   | |- @eq C _ _ => first [Cquick_field | solve [Cpushed; Cquick_field] | solve [Ccongruent]
@@ -1000,6 +1011,12 @@ Ltac shifted a b :=
     | replace a with (PI / 2 + b) by argument
     | replace a with (b - PI / 2) by argument ];
   rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, sin_PI2, cos_PI2; ring.
+(* A cosine by that of twice its angle. *)
+Lemma half_angle : forall a r, 0 <= cos a -> 0 <= r -> cos (2 * a) = 2 * (r * r) - 1 -> cos a = r.
+Proof. intros a r A B E; rewrite cos_2a_cos in E; nra. Qed.
+Lemma sqrt_6 : sqrt 6 = sqrt 2 * sqrt 3.
+Proof. rewrite <- sqrt_mult by lra; f_equal; ring. Qed.
+Ltac by_half := apply half_angle; [interval | interval | rewrite ?sqrt_6; special].
 Ltac evaluated :=
   first
     [ reflexivity
@@ -1010,6 +1027,7 @@ Ltac evaluated :=
       end
     | solve [special]
     | solve [by_slope]
+    | solve [by_half]
     | solve [rewrite sqrt_pow2; [ring | first [lra | interval]]]
     | same ].
 Ltac valued_by way :=
@@ -1171,7 +1189,14 @@ with conv_parts H :=
   destruct H as [A B];
   split; [first [conv A | clear B; atom] | conv B].
 
-Ltac finish t := first [exact t | let H := fresh in pose proof t as H; conv H].
+(* An exponential of twice the argument, which SymPy writes for a square. *)
+Ltac doubled :=
+  repeat match goal with |- context [exp ?a] => match goal with |- context [exp ?b] =>
+    tryif constr_eq a b then fail else
+    replace (exp b) with (exp a ^ 2)
+      by (transitivity (exp (a + a)); [rewrite exp_plus; ring | f_equal; argument]) end end.
+Ltac finish t :=
+  first [exact t | let H := fresh in pose proof t as H; first [conv H | progress doubled; conv H]].
 Ltac feed P t :=
   first
     [ specialize (P t)

@@ -8,7 +8,6 @@ Open Scope R_scope.
 
 (* -- complex intervals ---------------------------------------------------------------- *)
 
-Module Big := SpecificFloat BigIntRadix2.
 Module Longs := Values Big.
 Module Long := Longs.Ball.
 Module L := Longs.J.

@@ -37,34 +37,26 @@ def damped() -> Given:
     return here
 
 
+POLE = -delta / 2 + I * pi
+N_1 = -I * ((-1 - f) / POLE - (-1 - f) / mirror(POLE)) / (2 * pi)
+"""n1 by the two poles; n0 is f n1."""
+
+
 @cache
 def inequalities() -> Theorem:
     """stable <=> Jury's inequalities of the loop with this spring."""
-    values = [alpha, beta, NYQUIST, delta, S.Zero]
-    loop = loop_substituted(values, z, 1)
-    found = chained(loop, jury(loop.conclusion.of[1].of[0], z))  # type: ignore[attr-defined]
-    return closed(found, fact(whole(S.Zero)), *_divisors(found.hypotheses))
-
-
-def _divisors(claims: Iterable[Proposition]) -> list[Theorem]:
-    """What the polynomial divides by: a multiple of -delta/2 + j pi or of its conjugate, the square
-    of one, or the product of both."""
-    nyquist, turn = damped().show(NYQUIST > 0), number(Relation(S.Zero, "<", pi))
-    found = []
-    for claim in claims:
-        if isinstance(claim, Relation) and claim.sign == "!=":
-            left = claim.left
-            grown = [sign_of(exp, e.args[0]) for e in left.atoms(exp)]
-            power = 2 if left.has(delta**2) else 1
-            size: list[Any] = [4, turn, turn] if left.coeff(delta**power).has(pi) else []
-            if left.has(I):
-                other = mirror(left)
-                size = [*grown, *grown, *[nyquist, *size] * power]
-                product = combined(Relation(S.Zero, "<", sp.expand(left * other)), size)
-                found.append(factor(left, product, other))
-            else:
-                found.append(show(Ne(left, 0), combined(left > 0, [*grown, nyquist, *size])))
-    return found
+    by_poles = loop_substituted([alpha, beta, NYQUIST, delta, S.Zero], z, 1)
+    loop = z * (z**2 + 2 * z * e + e**2) + (z * (alpha + beta) - beta) * (z * x + e * x)
+    there = Predicate("stable", (z,), (loop.xreplace({e: f, x: s}),))
+    alike = Iff((by_poles.conclusion.of[0], there))  # type: ignore[attr-defined]
+    found = subst(alike, s, by_poles, identity(N_1, NU))
+    found = chained(found, inst(jury(loop, z), {e: f, x: NU}))
+    nyquist = damped().show(NYQUIST > 0)
+    poles = [
+        factor(pole, combined(sp.expand(pole * other) > 0, [nyquist]), other)
+        for pole, other in ((POLE, mirror(POLE)), (mirror(POLE), POLE))
+    ]
+    return closed(found, fact(whole(S.Zero)), show(Ne(NYQUIST, 0), nyquist), *poles)
 
 
 def needed() -> Theorem:
@@ -97,7 +89,7 @@ def enough() -> Theorem:
         combined(wanted[3], [low, left, top], [low, lost, lost], [low, lost, left, low]),
     ]
     found = mp(loop, conj(*known))
-    return here.closed(closed(found, *_divisors(found.hypotheses)))
+    return here.closed(found)
 
 
 @cache
