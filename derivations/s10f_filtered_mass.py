@@ -82,7 +82,7 @@ def _tangent(page, printed):
 def _delay(page, printed, soft):
     [rule] = STATEMENTS[DELAY].printed
     found = page.lemma(
-        "With little damping a filter reduces the stiffness less than an equal delay of the wall",
+        r"With little damping a filter reduces the stiffness less than a wall delay of $\tau_f$",
         counted_as_delay(rule, *printed),
         boxed=True,
     )
@@ -166,7 +166,7 @@ def decides(*printed: Any) -> Theorem:
 
 
 LITTLE = proposition(2 * m * tau_f / (T * (T + 4 * tau_f)) >= B)
-"""With less damping than this the filter reduces the stiffness less than an equal delay."""
+"""With less damping than this the filter reduces the stiffness less than a delay by tau_f."""
 
 
 @cache

@@ -37,7 +37,7 @@ def derive(page):
 
 
 def _tips(page):
-    """The height of the curve is the stiffness of (11), the largest one with an integer delay."""
+    """The curve shows the stiffness of (11), the largest passive one for integer delays."""
     _, given, then = taken_apart(page.claim("fig5"))
     stiffness, damping = map(assume, given[-2:])
     height = combined(then.of[0], [stiffness, T])

@@ -91,7 +91,7 @@ def limits(page, spring, damper):
         total,
         Rational("15.225"),
         name="14.6+0.625",
-        because="the sum of the two limits is 15.225",
+        because="the limits in 1/s are 14.6 for the arm and 0.625 for the device",
         paper="22",
     )
     page.settle_external(

@@ -122,7 +122,7 @@ def periods(page):
         name=r"\frac{1/2-\nu(h)}{h\delta}",
     )
     page.limit(
-        "The sum of the numerator tends to 1",
+        "For short periods $n_1+n_0$ tends to 1",
         (2 * exp(-delta / 2) * up / spring).subs(brief, simultaneous=True),
         h,
         S.Zero,

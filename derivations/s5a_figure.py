@@ -2,8 +2,9 @@ r"""Do the stability boundaries of Fig. 11 intersect the passive regions?
 
 Fig. 11 of the paper draws the passivity and the stability boundaries in one plane, for
 $\gamma=0.001$, $\delta=0.02$ and seven delays, two of them fractions of a period. For integer
-delays passive walls are stable, by \chapter{s5a_passive_is_stable}. We ask what the curves for
-$d=\tfrac14$ and $d=\tfrac12$ show.
+delays passive walls are stable, by \chapter{s5a_passive_is_stable}. We ask whether the curves
+for $d=\tfrac14$ and $d=\tfrac12$ intersect, and whether they are the boundaries of a loop with
+this delay.
 """
 
 from symhaptic.book.figures.stability import passive_and_stable

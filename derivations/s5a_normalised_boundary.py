@@ -31,9 +31,9 @@ def derive(page):
         name=r"\tfrac{T}{m}(b-b_{\min})",
     )
     page.say(
-        r"As in physical units, the curve is the boundary for $0<\hat\omega\le\pi/(d+1)$ and "
-        r"$d>0$. At larger angles, up to $\pi$, the curve is not on the border of the passive "
-        r"region. For some delays, such as $d=\tfrac14$, the curve has a pole at one of these "
+        r"As in physical units, for $d>0$ and $0<\hat\omega\le\pi/(d+1)$ the curve is the boundary "
+        r"of the passive region. At larger angles, up to $\pi$, the curve is not part of this "
+        r"boundary. For some delays, such as $d=\tfrac14$, the curve has a pole at one of these "
         "angles."
     )
     _boundary(page, Eq(alpha, in_plane[0]), Eq(beta, in_plane[1]))

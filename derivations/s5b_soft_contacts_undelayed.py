@@ -97,7 +97,7 @@ FARTHEST = Rational(5, 2)
 """All stable walls have a virtual damping of at most this size, as 1 < 2.5 n_0."""
 
 TOTAL = n_1 + n_0
-"""The sum of the numerator, n_1 + n_0."""
+"""The sum of the coefficients of the numerator."""
 
 
 def claim() -> Proposition:

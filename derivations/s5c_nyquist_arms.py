@@ -12,7 +12,7 @@ DEVICE = {m: Rational(1, 10), T: Rational(1, 1000)}
 """Example 5.1, in kg and s."""
 
 HOGAN = {m: Rational(8, 10), k_H: S(568), T: Rational(1, 1000)}
-"""The stiffest arm for its mass in Table II, of those that the paper keeps."""
+"""The arm with the largest stiffness per mass in Table II, without the row that is left out."""
 
 
 def derive(page):

@@ -30,7 +30,7 @@ def derive(page):
     turning = z * eye(2) - phi
     start = (turning.adjugate() * push / turning.det()).xreplace(given)
     again = (phi * start + push).xreplace(given)
-    page.same("the state turns by z", again, (z * start).xreplace(given))
+    page.same("the state is multiplied by z", again, (z * start).xreplace(given))
     late = fractional.late(device, split=c)
     place = late.numerator / (z * late.device.denominator)
     page.same("the sampled device", start[0], place.xreplace(given))

@@ -19,8 +19,8 @@ def derive(page):
         r"Let $\psi=\theta/2$ and $\kappa=\varepsilon(1-\varepsilon)$. The condition of "
         r"\chapter{s6d_fractional_passivity} contains two means over the delays $\ell$ and "
         r"$\ell+1$: $S=(1-\varepsilon)\sin(\ell+1)\theta+\varepsilon\sin(\ell+2)\theta$, and $C$ "
-        "with cosines in place of sines. The means $S$ and $C$ are the imaginary and the real "
-        "part of a number of known size:"
+        "with cosines in place of sines. The means $S$ and $C$ are the imaginary and "
+        "real parts of a complex number of known modulus:"
     )
     page.step(
         r"The squares of the two means add up to $1-4\kappa\sin^2\psi$",

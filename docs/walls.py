@@ -17,7 +17,7 @@ STEP, K = 61.4e-6, 400.0
 
 
 def draw_motions(axes):
-    """Walls around their limit, and a wall behind an encoder without and with friction."""
+    """Draw motions near the stiffness limit, and with an encoder without and with friction."""
     limit = SCENE.limit_at(B=10.0).K
     for share, color in ((0.9, "#1b6e4b"), (1.0, "0.5"), (1.1, "#b3261e")):
         found = SCENE.simulate(

@@ -39,8 +39,8 @@ class Scene(DeviceLoop):
     all dampings in N m s/rad, wherever the methods say N/m and Ns/m.
 
     Numbers are in SI units.  Text has a number and a unit, such as ``"72 g"`` or ``"0.5 N*s/m"``.
-    SI symbols are read in any spelling, with prefixes, deg, turn and rpm; with Pint, all units that
-    it knows.
+    SI symbols with prefixes, deg, turn and rpm are accepted in any usual notation; with Pint, all
+    units that it knows.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ class Scene(DeviceLoop):
     stiffness : float, optional
         Physical stiffness of the device in N/m, >= 0, without the arm's.
     delay : float, optional
-        t_d in s, >= 0, of computation and transport.
+        Time t_d for computation and communication in s, >= 0.
     delay_samples : float, optional
         The delay d in sampling periods instead, >= 0.
     arm : Arm, optional
