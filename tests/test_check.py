@@ -17,7 +17,9 @@ from symhaptic import is_stable, max_passive_stiffness
 from symhaptic.check import callers, report
 from symhaptic.check.compare import compared, plainest
 from symhaptic.check.formulas import CHECKED
+from symhaptic.check.mistakes import factor
 from symhaptic.check.plugin import Agreement
+from symhaptic.check.points import drawn
 from symhaptic.cli.main import main
 
 MINE = """
@@ -337,6 +339,13 @@ def test_a_list_that_is_used_again_has_each_of_its_numbers():
     assert compared(CHECKED["eq11"], callers.called(wall), 8, 200).agrees
 
 
+def _near(one, some):
+    """The package's own numbers, a column for each result."""
+    with np.errstate(all="ignore"):
+        found = np.broadcast_arrays(*one.near(*map(np.array, zip(*some, strict=True))))
+    return [column.astype(float) for column in found]
+
+
 @pytest.mark.parametrize("name", CHECKED)
 def test_the_package_agrees_with_every_formula(name):
     """Its own numbers are off by less than is allowed of others."""
@@ -345,12 +354,92 @@ def test_the_package_agrees_with_every_formula(name):
         pytest.skip("it takes long: test_delay_margin")
 
     def call(some):
-        with np.errstate(all="ignore"):
-            found = np.broadcast_arrays(*one.near(*map(np.array, zip(*some, strict=True))))
-        return list(zip(*(column.astype(float).tolist() for column in found), strict=True))
+        return list(zip(*(column.tolist() for column in _near(one, some)), strict=True))
 
     found = compared(one, call, 10, 400)
     assert found.agrees, report.text(report.Report(found, name, 0.0))
+
+
+@pytest.mark.parametrize("name", [n for n in CHECKED if n not in ("delay_margin", "max_delay")])
+def test_every_point_is_in_the_domain(name):
+    """Walls on the boundary, which the two left out have as well, may have a negative gain."""
+    one = CHECKED[name]
+    for argument, column in zip(
+        one.arguments.values(), zip(*drawn(one, 300).all, strict=True), strict=True
+    ):
+        assert all(map(argument.allows, column))
+
+
+def test_all_special_points_are_among_the_usual_number():
+    """As docs/check.md lists them."""
+    one = replace(CHECKED["stability_boundary"], balls=6)
+    right = [tuple(map(float, at)) for at in zip(*_near(one, drawn(one, 10_000).all), strict=True)]
+    what = report.covered(compared(one, lambda some: right[: len(some)], 8, 10_000))
+    theta, _, delta, d = np.array(drawn(one, 10_000).all).T
+    assert what["kinds"]["angles below 0.001"] == (theta < 0.001).sum() > 100
+    assert what["kinds"]["angles next to pi"] == (theta > math.pi - 0.001).sum() > 100
+    assert what["kinds"]["no device damping"] == (delta == 0).sum() > 100
+    assert what["kinds"]["delays above 100 periods"] == (d > 100).sum() > 100
+    assert len(what["kinds"]) == 13  # of the 15 kinds, two are of the wall
+    assert what["ranges"]["d"][1] > 1e14
+
+
+class Dice:
+    """Always the same number, and the middle of a range."""
+
+    def __init__(self, number):
+        self.number = number
+
+    def random(self):
+        return self.number
+
+    def uniform(self, low, high):
+        return (low + high) / 2
+
+
+def test_pairs_lie_on_both_sides_of_each_part_of_the_boundary():
+    """Without delay p(z) = z (z - 1)(z - 1/e) + M(z) (alpha z + beta (z - 1)) for delta = 1.
+
+    M(z) = (z + e - 2)/e is the textbook's sampled device.  p(1) = 0 at alpha = 0, p(-1) = 0 on
+    the line alpha + 2 beta = 2 (e + 1)/(3 - e), and p(exp(i theta)) = 0 on the curve between.
+    """
+    border, e = CHECKED["is_stable"].border, math.e
+    low, high = border(Dice(0.85), 1e-3, 0.0, 0.0, 0.0, 1.0, 0.0)
+    assert low[0] < 0 < high[0]
+    low, high = border(Dice(0.95), 1e-3, 0.0, 0.0, 0.0, 1.0, 0.0)
+    line = 2 * (e + 1) / (3 - e)
+    for wall, side in ((low, -1), (high, 1)):
+        assert wall[0] + 2 * wall[1] == pytest.approx(line * (1 + side * 1e-3), rel=1e-9)
+    low, high = border(Dice(0.5), 1e-3, 0.0, 0.0, 0.0, 1.0, 0.0)
+    z = np.exp(0.5j * math.pi)
+    wanted = -z * (z - 1) * (z - 1 / e) * e / (z + e - 2)
+    rows = np.array([[z.real, (z - 1).real], [z.imag, (z - 1).imag]])
+    middle = np.linalg.solve(rows, [wanted.real, wanted.imag])
+    for wall, side in ((low, -1), (high, 1)):
+        assert wall[:2] == pytest.approx(middle * (1 + side * 1e-3), rel=1e-9)
+
+
+def test_pairs_lie_on_both_sides_of_the_passive_walls():
+    """(4) of the paper: delta > alpha/2 + |beta|, without delay."""
+    low, high = CHECKED["is_passive"].border(Dice(0.5), 1e-3, 0.4, 0.3, 1.0, 0.0)
+    assert low == pytest.approx((0.4, 0.3, 0.4995, 0.0), rel=1e-9)
+    assert high == pytest.approx((0.4, 0.3, 0.5005, 0.0), rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ["is_stable", "unstable_roots", "is_passive"])
+def test_the_pairs_have_all_the_distances(name):
+    """As docs/check.md has it: from 1e-3 to 1e-12."""
+    far = drawn(CHECKED[name], 200).distance
+    found, counts = np.unique(far[~np.isnan(far)], return_counts=True)
+    assert found == pytest.approx([10.0**-k for k in range(12, 2, -1)])
+    assert set(counts % 2) == {0}
+
+
+@pytest.mark.parametrize("name", ["max_stable_stiffness", "scene.max_stable_stiffness", "limit_at"])
+def test_nan_is_no_answer_where_an_exact_value_is_known(name):
+    one = CHECKED[name]
+    nothing = [(math.nan,) * len(one.results)]
+    assert not compared(one, lambda some: nothing * len(some), 8, 12, explained=False).agrees
 
 
 def test_every_function_of_walls_can_be_checked():
@@ -523,6 +612,10 @@ def test_who_gives_too_many_numbers_is_said():
     ("words", "told"),
     [
         (["--over", "b=2:1"], "--over: 'b=2:1' is no range; give NAME=LOW:HIGH with one of b, T"),
+        (
+            ["--points", "1000000", "--over", "b=2:1"],  # the number that --help allows
+            "--over: 'b=2:1' is no range",
+        ),
         (["--over", "T=0:0"], "--over: 'T=0:0' has numbers that are not allowed; give a range of"),
         (["--over", "T=-1:0"], "--over: 'T=-1:0' has numbers that are not allowed; give a range"),
         (["--over", "b=-5:-1"], "--over: 'b=-5:-1' has numbers that are not allowed; give a ran"),
@@ -584,3 +677,8 @@ def test_nan_is_told_of_what_differs_and_of_nothing_else():
         said = report.text(report.Report(found, "mine", 0.0))
         assert (" points, such as " in said) is told
         assert found.agrees is not told
+
+
+def test_a_factor_below_zero_is_named_with_its_sign():
+    x = np.arange(1.0, 9.0)
+    assert factor({"x": ()}, [x], x, -3 * x**2) == "-3*x"

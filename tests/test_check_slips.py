@@ -1,10 +1,12 @@
 """The usual slips of somebody who writes a formula down as code: each is refused, and named."""
 
 import math
+from dataclasses import replace
 from math import cos, degrees, pi, radians, sin, sqrt, tan
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
 
 from symhaptic.check import callers
 from symhaptic.check.compare import compared
@@ -122,6 +124,15 @@ SLIPS = [
 ]
 
 
+def held(b, k, m, T):
+    """(12) by a matrix exponential: the device under a held force, and its textbook polynomials."""
+    A = np.array([[0, 1, 0], [-k / m, -b / m, 1 / m], [0, 0, 0]])
+    step = expm(A * T)
+    P, Q = step[:2, :2], step[:2, 2]
+    a, e = np.trace(P), np.linalg.det(P)
+    return Q[0], P[0, 1] * Q[1] - P[1, 1] * Q[0], a, e
+
+
 def eq5(K, B, T, omega, d):
     half = omega * T / 2
     return K * T * sin((2 * d + 1) * half) / (2 * sin(half)) - B * cos(2 * (d + 1) * half)
@@ -150,6 +161,24 @@ def test_a_usual_slip_is_refused_and_named(formula, function, said):
         assert found.names == ()
     else:
         assert said in " ".join(found.names)
+
+
+@pytest.mark.parametrize(
+    ("formula", "function", "over"),
+    [
+        ("eq5", eq5, {"omega": (1.0, 300.0), "T": (1e-3, 1e-2), "d": (0, 5)}),
+        ("eq6", lambda K, B, T: K * T / 2 + abs(B), {}),
+        ("eq9", lambda b, B, T, d: (b + B) / ((d + 1 / 2) * T), {}),
+        ("eq11", stiffest, {}),
+        ("eq12", held, {"k": (1.0, 1e3), "b": (0.1, 10.0), "m": (0.1, 1.0), "T": (1e-3, 1e-2)}),
+        ("eq24", lambda b, B, t_d, T: (b + B) / (t_d + T / 2), {}),
+        ("eq28", frequency, {}),
+    ],
+)
+def test_the_textbooks_code_agrees(formula, function, over):
+    checked = replace(CHECKED[formula], balls=100)
+    found = compared(checked, callers.called(function), 1e5, 100, over, explained=False)
+    assert found.agrees, (found.worst, found.at)
 
 
 def test_twice_the_angle_is_named():

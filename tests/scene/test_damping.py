@@ -175,3 +175,13 @@ def test_it_can_be_sent_to_another_process():
 def test_what_is_no_stiffness_is_named(bad):
     with pytest.raises(ValueError, match=r"^K: .+ is not allowed; give (finite|real|a) number"):
         FREE.damping_for(bad)
+
+
+def test_a_wall_that_is_too_large_without_its_unit_is_refused_by_its_name():
+    """With T^2/m = 1e5 and T/m = 1e4, walls of 1e69 are beyond 1e70."""
+    light = Scene(mass=1e-3, sampling_period=10.0)
+    with pytest.raises(ValueError, match=r"^K: 1e\+69 is not allowed; give at most 1e\+70 in size"):
+        light.damping_for(K=1e69)
+    for limit in (light.limit_at, light.max_passive_stiffness):
+        with pytest.raises(ValueError, match=r"^B: 1e\+69 is not allowed; give at most 1e\+70 in"):
+            limit(B=1e69)

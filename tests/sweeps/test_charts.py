@@ -72,6 +72,8 @@ def test_a_device_without_damping_is_drawn_behind_one_period():
     (axes,) = charts.robust_limits(stiffness=(0, 0), damping=(0, 0), points=20).axes
     left, right = axes.get_xlim()
     assert left < 0 < 0.144469 < right < 1.2 * 0.144469
+    low, high = axes.get_ylim()
+    assert low < 0 < -5 * low < high
 
 
 def test_the_axes_without_stiffness_and_without_damping_are_drawn():

@@ -26,6 +26,7 @@ from symhaptic import (
 )
 from symhaptic.forms.stable import STATEMENTS as FORMS
 from symhaptic.sweeps import work
+from symhaptic.sweeps.plan import lengths_of
 from symhaptic.sweeps.quantities import QUANTITIES
 
 xarray = pytest.importorskip("xarray", reason="no xarray here: no sweeps")
@@ -525,3 +526,13 @@ def test_a_bar_of_a_sweep_that_goes_on_begins_where_it_was(capsys, monkeypatch):
     with ThreadPoolExecutor(1) as pool:
         assert sorted(work.done(pool, str, [1, 2], 2, 5)) == ["1", "2"]
     assert "3/5" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("shape", [(7,), (50, 40, 3), (3, 40, 50), (9, 1, 8, 7)])
+@pytest.mark.parametrize("points", [1, 10, 1000])
+def test_blocks_have_at_most_so_many_points_and_more_than_a_quarter(shape, points):
+    """Equal parts of each dimension: two of them are more than the rest that is left over."""
+    lengths = lengths_of(dict(zip("abcd", shape, strict=False)), {}, points)
+    assert math.prod(lengths) <= points
+    assert math.prod(lengths) > points / 4 ** len(shape) or lengths == shape
+    assert all(1 <= length <= n for length, n in zip(lengths, shape, strict=True))

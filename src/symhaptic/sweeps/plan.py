@@ -167,7 +167,7 @@ def _lengths(shape: tuple[int, ...], points: int) -> tuple[int, ...]:
     for n in reversed(shape):
         parts = -(-n // max(1, min(n, points)))
         lengths.append(-(-n // parts))
-        points //= max(1, lengths[-1])
+        points //= lengths[-1]
     return tuple(reversed(lengths))
 
 

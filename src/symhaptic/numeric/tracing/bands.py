@@ -114,12 +114,6 @@ class Bands(NamedTuple):
     sine: Array
     """The largest sine."""
 
-    def take(self, at: NDArray[np.bool_]) -> Bands:
-        """Some of them."""
-        part = Part(Device(*(a[at] for a in self.part.x)), *(a[at] for a in self.part[1:]))
-        rest = (a[at] for a in self[3:])
-        return Bands(self.at[at], part, Wall(*(a[at] for a in self.v)), *rest)
-
 
 def bands(p: Part, v: Wall) -> Bands:
     """Where plant and wall can be equally strong, with the phases that they can have there."""
