@@ -136,3 +136,13 @@ def test_a_wall_without_stiffness_does_not_hold_a_free_device(velocity):
             Scene(dynamics=LinearDevice(step, MIXED[:, 1], BACK[0]), **given),
         ):
             assert not scene.is_stable([0.0] * 3, [0.0, 1.0, 5.0]).any(), scene
+
+
+@pytest.mark.usefixtures("either")
+@pytest.mark.parametrize("samples", [2, 5, 200])
+def test_a_free_device_with_a_virtual_mass_alone_is_told_at_once(samples):
+    """Device and wall vanish at z = 1 as (z - 1)^2, and in powers of z that is lost in rounding."""
+    device = {"mass": 0.1, "sampling_period": 0.001, "velocity": Average(samples)}
+    for more in ({}, {"damping": 0.5}, {"integrator": "explicit Euler"}, {"delay": 0.0015}):
+        scene = Scene(**device, virtual_mass=0.01, **more)
+        assert not scene.is_stable([0.0, 0.0, -1e-9], [0.0, 1e-9, 0.0]).any()
