@@ -6,9 +6,18 @@ import pytest
 from loops.oracle import device, difference_equation, matrix
 from scipy import signal
 
-from symhaptic import Average, Filter, LinearDevice, Scene
+from symhaptic import (
+    Average,
+    Difference,
+    Filter,
+    Lag,
+    LinearDevice,
+    Measured,
+    Oversampled,
+    Scene,
+    SecondMass,
+)
 from symhaptic.loops import count
-from symhaptic.loops.actuator import Lag
 from symhaptic.loops.engine import Engine
 
 
@@ -107,3 +116,33 @@ def test_curves_that_just_touch(beyond):
     assert limit == pytest.approx(956450.1309876227, rel=1e-13)  # bisected with 80 digits
     assert scene.is_stable(limit * (1 - beyond), B)
     assert not scene.is_stable(limit * (1 + beyond), B)
+
+
+MIXED, BACK = np.array([[1.0, 2.0], [3.0, 5.0]]), np.array([[-5.0, 2.0], [3.0, -1.0]])
+
+
+@pytest.mark.usefixtures("either")
+@pytest.mark.parametrize("velocity", [None, Average(5), Measured(), Oversampled(Difference(), 4)])
+def test_a_wall_without_stiffness_does_not_hold_a_free_device(velocity):
+    """At rest at one place it stays at every other one: a root is 1, whatever is rounded."""
+    given = {"sampling_period": 0.001, "delay_samples": 1.25, "velocity": velocity}
+    for at in (0.02, 0.03, 0.07, 0.1, 0.4):
+        handle = SecondMass(mass=at, stiffness=5000.0, damping=0.5)
+        step = MIXED @ [[0.0, 1.0], [0.0, -20 * at]] @ BACK
+        for scene in (
+            Scene(mass=0.1, damping=0.5, structure=handle, **given),
+            Scene(mass=0.1, damping=0.5, structure=handle, actuator=Lag(time_constant=at), **given),
+            Scene(mass=0.1, structure=handle, stiffness=1e-15, **given),  # beside 5000 N/m
+            Scene(dynamics=LinearDevice(step, MIXED[:, 1], BACK[0]), **given),
+        ):
+            assert not scene.is_stable([0.0] * 3, [0.0, 1.0, 5.0]).any(), scene
+
+
+@pytest.mark.usefixtures("either")
+@pytest.mark.parametrize("samples", [2, 5, 200])
+def test_a_free_device_with_a_virtual_mass_alone_is_told_at_once(samples):
+    """Device and wall vanish at z = 1 as (z - 1)^2, and in powers of z that is lost in rounding."""
+    device = {"mass": 0.1, "sampling_period": 0.001, "velocity": Average(samples)}
+    for more in ({}, {"damping": 0.5}, {"integrator": "explicit Euler"}, {"delay": 0.0015}):
+        scene = Scene(**device, virtual_mass=0.01, **more)
+        assert not scene.is_stable([0.0, 0.0, -1e-9], [0.0, 1e-9, 0.0]).any()

@@ -18,6 +18,7 @@ def lagging(plant: Plant, tau: Number) -> Plant:
         (*nothing, 1 / tau),
         (*plant.position, 0),
         (*plant.velocity, 0),
+        plant.free,
     )
 
 

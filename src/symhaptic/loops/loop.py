@@ -114,7 +114,9 @@ def closed(
     if virtual_mass:
         heavy = scaled(virtual_mass, product(product(rest, product(w, w)), to_the(late - 2)))
     X, E = product(place, stiff), product(place, heavy) if virtual_mass else heavy
-    Y = product(place, damped) if above else product(seen(sampled.velocity), to_the(late))
+    if not above:  # at rest under a constant force the velocity is 0, and so is its value at w = 0
+        place, damped = (0, *seen(sampled.velocity)[1:]), to_the(late)
+    Y = product(place, damped)
     A = product(_split(device), rest)
     M = np.asarray(whole) + late + bool(sampled.late.any())
     if coupling is None:

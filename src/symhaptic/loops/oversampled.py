@@ -81,7 +81,7 @@ class Oversampled(Measured):
         first = np.floor(late)
         scaled = ([x / self.times for x in row] for row in (*plant.state, plant.force))
         *state, force = map(tuple, scaled)
-        faster = Plant(tuple(state), force, plant.position, plant.velocity)
+        faster = Plant(tuple(state), force, plant.position, plant.velocity, plant.free)
         part, full = held(faster, late - first), held(faster)
         above, below = recursion(self.velocity, period / self.times)
 
@@ -113,4 +113,4 @@ class Oversampled(Measured):
         place, reading = np.zeros(len(step)), np.zeros(len(step))
         place[:size] = plant.position
         reading[size + kept] = self.times
-        return Sampled(total, new, old, place, reading)
+        return Sampled(total, new, old, place, reading, plant.free)

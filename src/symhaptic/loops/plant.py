@@ -25,11 +25,13 @@ class Plant(NamedTuple):
     force: Row
     position: Row
     velocity: Row
+    free: bool = False
+    """Whether it can rest without a force anywhere, det A = 0, as a device without a spring."""
 
 
 def moving_mass(gamma: Number = 0, delta: Number = 0) -> Plant:
     """x'' + delta x' + gamma x = force: the mass-spring-damper of the paper, (2)."""
-    return Plant(((0, 1), (-gamma, -delta)), (0, 1), (1, 0), (0, 1))
+    return Plant(((0, 1), (-gamma, -delta)), (0, 1), (1, 0), (0, 1), gamma == 0)
 
 
 class Sampled(NamedTuple):
@@ -44,6 +46,7 @@ class Sampled(NamedTuple):
     late: NDArray[np.float64]
     position: NDArray[np.float64]
     velocity: NDArray[np.float64]
+    free: bool
 
 
 def held(plant: Plant, fraction: Number = 0.0) -> Sampled:
@@ -57,13 +60,13 @@ def held(plant: Plant, fraction: Number = 0.0) -> Sampled:
     on, early = grown(state * (1 - part))
     _, late = grown(state * part)
     early, late = (1 - part) * (early @ force), part * (late @ force)
-    return Sampled(step, early, late + on @ late, position, velocity)
+    return Sampled(step, early, late + on @ late, position, velocity, plant.free)
 
 
 def explicit_euler(plant: Plant) -> Sampled:
     """x+ = x + v, v+ = v + acceleration: steps of a simulator, all from the old state."""
     state, force, position, velocity = arrays(plant)
-    return Sampled(state, force, 0 * force, position, velocity)
+    return Sampled(state, force, 0 * force, position, velocity, plant.free)
 
 
 def semi_implicit_euler(plant: Plant) -> Sampled:
@@ -78,7 +81,7 @@ def semi_implicit_euler(plant: Plant) -> Sampled:
     accelerates = state.copy()
     accelerates[..., 0::2, :] = 0.0
     step = moves @ (np.eye(size) + accelerates) - np.eye(size)
-    return Sampled(step, moves @ force, 0 * force, position, velocity)
+    return Sampled(step, moves @ force, 0 * force, position, velocity, plant.free)
 
 
 def grown(state: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -126,9 +129,12 @@ def transfer(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """row adj(w - step) column and det(w - step): coefficients of 1, w, w^2, ... on the last axis.
 
-    There may be many columns, the loops in front.
+    There may be many columns, the loops in front.  A free device has det(-step) = 0 exactly, of
+    which rounded entries leave a number of either sign.
     """
     rows, bottom = _resolvent(sampled.step.tobytes(), row.tobytes())
+    if sampled.free:
+        bottom = np.concatenate([np.zeros(1), bottom[1:]])
     return (rows @ column)[..., 0], bottom
 
 

@@ -40,6 +40,7 @@ def coupled(plant: Plant, mass: Number, stiffness: Number, damping: Number, at: 
         (0, 1, 0, 0),
         (there[0], 0, there[1], 0),
         (0, there[0], 0, there[1]),
+        plant.free or gamma - k == -k,
     )
 
 

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from symhaptic.loops.circle import Array
 from symhaptic.loops.plant import Plant
 from symhaptic.notation.quantities import shown
+
+if TYPE_CHECKING:
+    from flint import fmpq_mat
 
 _SEVERAL = "system: it has several inputs or outputs; give a system with one input and one output"
 
@@ -113,13 +116,14 @@ class LinearDevice:
 
     def before(self, plant: Plant, mass: float, period: float) -> Plant:
         """This device instead of the moving mass, in units of ``mass`` and ``period``."""
-        A, B, C = _rewritten(self)
+        A, B, C, free = _rewritten(self)
         rows = (A * period).tolist()
         return Plant(
             tuple(map(tuple, rows)),
             tuple((B * mass / period).tolist()),
             tuple(C.tolist()),
             tuple((C @ A * period).tolist()),
+            free,
         )
 
     @property
@@ -129,8 +133,8 @@ class LinearDevice:
 
 
 @lru_cache(maxsize=64)
-def _rewritten(device: LinearDevice) -> tuple[Array, Array, Array]:
-    """A, B and C with other states, in which the samples lose no digits.
+def _rewritten(device: LinearDevice) -> tuple[Array, Array, Array, bool]:
+    """A, B and C with other states, in which the samples lose no digits; whether det A = 0.
 
     Those of Schur's form, found in floats and put in exactly, in units that balance A.
     """
@@ -146,9 +150,23 @@ def _rewritten(device: LinearDevice) -> tuple[Array, Array, Array]:
         return np.reshape(entries, (matrix.nrows(), matrix.ncols()))
 
     A, B, C = (np.array(each) for each in (device.A, device.B, device.C))
+    free = _singular(exact(A))
     _, states = schur(A)
     basis = exact(states)
     back = basis.inv()
     A, B, C = back * exact(A) * basis, back * exact(B[:, None]), exact(C[None]) * basis
     A, (unit, _) = matrix_balance(rounded(A), permute=False, separate=True)
-    return A, rounded(B)[:, 0] / unit, rounded(C)[0] * unit
+    return A, rounded(B)[:, 0] / unit, rounded(C)[0] * unit, free
+
+
+def _singular(matrix: fmpq_mat) -> bool:
+    """Whether changes of the entries by their rounding may make the determinant 0."""
+    if matrix.det() == 0:
+        return True
+    cofactors = (matrix.inv() * matrix.det()).transpose()
+    terms = (abs(x * y) for x, y in zip(matrix.entries(), cofactors.entries(), strict=True))
+    return bool(abs(matrix.det()) * 2**_EXACT <= sum(terms))
+
+
+_EXACT = 50
+"""Bits of an entry that are right: states that were mixed are rounded a few times."""
