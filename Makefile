@@ -31,7 +31,7 @@ ci: .venv/ready
 # what JAX has to compile; the array kernels behind public functions; random identities
 check: .venv/ready
 	$(BIN)/ruff check
-	SYMHAPTIC_SOUNDNESS=$(SOUNDNESS) $(BIN)/pytest $(SIDE_BY_SIDE) -m 'slow or not slow'
+	SYMHAPTIC_SOUNDNESS=$(SOUNDNESS) $(BIN)/pytest -n 2 --dist worksteal --durations 12 -m 'slow or not slow'
 	SYMHAPTIC_KERNELS=array $(BIN)/pytest -n 2 tests/numeric tests/test_hard_cases.py
 	$(MAKE) -j2 -O conditions mutants
 	$(MAKE) bounds mutation
@@ -50,7 +50,8 @@ conditions: .venv/ready
 mutants: .venv/ready
 	$(BIN)/symhaptic mutants --check
 
-SIDE_BY_SIDE := -n 2 --dist worksteal --durations 12
+# whole files, and all tests of chapters in one process, see tests/conftest.py
+SIDE_BY_SIDE := -n 2 --dist loadgroup --no-loadscope-reorder --durations 12
 
 # what is attacked once more with each condition of a rule left out, which one attack has to notice
 ATTACKS := $(patsubst %,tests/soundness/test_%.py,kernel captured_names inert_terms \

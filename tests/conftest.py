@@ -17,24 +17,38 @@ os.environ.setdefault(
 )
 
 
+def pytest_itemcollected(item):
+    """Tests that look at chapters are one group, so that one process alone runs the chapters."""
+    module = vars(getattr(item, "module", None) or object)
+    taken = {getattr(value, "__module__", None) for value in module.values()}
+    if not taken.isdisjoint({"chapters", "oracles.subject"}):
+        item.add_marker(pytest.mark.xdist_group("chapters"))
+
+
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items):
-    """Tests that look at chapters come early, so that one process alone runs the chapters.
-
-    Each process begins with tests beside each other; who is done takes over from another's end.
-    """
+    """The tests of chapters begin in one process, and in another those that take long."""
     items.sort(key=_place)
 
 
 def _place(item):
     if item.get_closest_marker("early"):
-        return 0
-    return 1 if _looks_at_chapters(getattr(item, "module", None)) else 2
+        return 1
+    return 0 if item.get_closest_marker("xdist_group") else 2
 
 
-def _looks_at_chapters(module):
-    taken = {getattr(value, "__module__", None) for value in vars(module or object).values()}
-    return not taken.isdisjoint({"chapters", "oracles.subject"})
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    """With ``--dist loadgroup`` the other tests of a file are a group, too: they share fixtures."""
+    if config.getoption("dist") != "loadgroup":
+        return None
+    from xdist.scheduler import LoadGroupScheduling
+
+    class Scheduling(LoadGroupScheduling):
+        def _split_scope(self, nodeid):
+            return super()._split_scope(nodeid).partition("::")[0]
+
+    return Scheduling(config, log)
 
 
 @pytest.hookimpl(trylast=True)

@@ -228,6 +228,25 @@ for to in ("limits.zarr", "limits.parquet"):
 assert scene.is_stable(K=100.0, B=1.0)
 scene.plot()
 """
+FEW = """
+from dataclasses import replace
+
+from symhaptic.bench import measuring, timing
+from symhaptic.book import chapters
+from symhaptic.cli.main import main
+
+few = [chapters.folder() / f"{name}.py" for name in ("s2a_device", "s5b_stiffest_wall")]
+chapters.shipped = lambda: few
+timing.LEAST = 0.0
+effort = measuring.functions.Effort(12, 2, 20)
+names = ("max_passive_stiffness",)
+measuring.QUICK = replace(measuring.QUICK, effort=effort, names=names, long=(0, 2), plants=2)
+main()
+"""
+"""The commands with two chapters, and with few and short measurements.
+
+Other tests look at all chapters, and at what is measured.
+"""
 COMMANDS = [
     ("--version", "--version", r"symhaptic [\d.]+ \(compiled kernels\)\n"),
     ("verify", "verify eq11 --strict", "qualified"),
@@ -246,7 +265,6 @@ COMMANDS = [
     ("controller", "controller stiff.toml -o wall", "wrote"),
     ("trace", "trace --gamma 0.001 --delta 0.02 --delay 1.5 -o region.svg", ""),
     ("jury", "jury 1 --gamma 0.001 --delta 0.02", "alpha"),
-    ("bench", "bench --quick -o measured", "tables and plots"),
     ("kernels", "kernels --check", ""),
 ]
 
@@ -259,6 +277,7 @@ def folder(tmp_path_factory):
     (folder / "stiff.toml").write_text(DEVICE + '[wall]\nK = "0.4 N/mm"\nB = 5\n')
     (folder / "mine.py").write_text(MINE)
     (folder / "swept.py").write_text(SWEPT)
+    (folder / "few.py").write_text(FEW)
     (folder / "notes").mkdir()
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / "CONTRIBUTING.md").read_text(), re.DOTALL)
     (source,) = (i for i, block in enumerate(blocks) if block.startswith("# source.py"))
@@ -269,7 +288,7 @@ def folder(tmp_path_factory):
 
 def test_each_command_is_tried():
     """What is new has to be added above."""
-    tried = {words.split()[0] for _, words, _ in COMMANDS}
+    tried = {words.split()[0] for _, words, _ in COMMANDS} | {"bench"}
     assert tried >= {command.callback.__name__ for command in app.registered_commands}
 
 
@@ -292,6 +311,11 @@ def test_a_sweep_and_a_picture_from_the_wheel(clean, folder):
 
 
 def test_the_site_of_the_wheel_has_guides_and_explorer(clean, folder):
-    done([clean / "symhaptic", "report", "--format", "html"], folder)
+    done([clean / "python", "few.py", "report", "--format", "html"], folder)
     pages = {path.stem for path in (folder / "reports" / "site").glob("*.html")}
     assert {"index", "explorer", "tutorial", "contributing", "s5b_stiffest_wall"} <= pages
+
+
+def test_a_measurement_from_the_wheel(clean, folder):
+    said = done([clean / "python", "few.py", "bench", "--quick", "-o", "measured"], folder)
+    assert "tables and plots" in said

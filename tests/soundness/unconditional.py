@@ -14,7 +14,8 @@ import inspect
 import os
 import re
 import signal
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import cache
 from types import ModuleType
 
 import pytest
@@ -70,13 +71,18 @@ def naming(condition: Condition) -> set[str]:
     return found
 
 
+@cache
+def words(test: Callable[..., object]) -> frozenset[str]:
+    """The words in the source of a test, which many of its cases share."""
+    return frozenset(re.findall(r"\w+", inspect.getsource(test)))
+
+
 def order(items: list[pytest.Item], condition: Condition | None) -> list[pytest.Item]:
     """The tests, those first that name the function of the condition or what calls it."""
     names = set() if condition is None else naming(condition)
 
     def far(item: pytest.Item) -> tuple[bool, bool]:
-        test = getattr(item, "function", far)
-        near = not names.isdisjoint(re.findall(r"\w+", inspect.getsource(test)))
+        near = not names.isdisjoint(words(getattr(item, "function", far)))
         return not near, not any(name.strip("_") in item.nodeid for name in names)
 
     return sorted(items, key=far)
@@ -84,13 +90,13 @@ def order(items: list[pytest.Item], condition: Condition | None) -> list[pytest.
 
 def attacked(session: pytest.Session, condition: Condition | None) -> int:
     """In a process of its own: the exit status says whether an attack succeeds."""
+    items = order(session.items, condition)  # here, where the words of each test are kept
     if child := os.fork():
         return child
     signal.alarm(LONG)
     nowhere = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nowhere, 1)
     os.dup2(nowhere, 2)
-    items = order(session.items, condition)
     if condition is not None:
         leave_out(*condition)
     for item in items:

@@ -81,12 +81,14 @@ def each(
     with ExitStack() as ends:
         # all are forked here: later a progress bar has a thread, whose locks a fork would copy
         alone = {i: _Worker(work, ends) for i in own}
-        idle = [_Worker(work, ends) for _ in range(min(workers, len(paths) - len(own)))]
+        count = min(workers, len(paths) - len(own))
+        idle = [_Worker(work, ends, len(paths) * k // count) for k in range(count)]
         running: dict[Connection, tuple[int, _Worker[Result]]] = {}
         while running or jobs:
             while jobs and len(running) < workers:
-                i = jobs.pop(0)
-                worker = alone[i] if i in alone else idle.pop()
+                worker = alone.get(jobs[0]) or idle.pop()
+                i = worker.near(jobs) if jobs[0] not in alone else jobs[0]
+                jobs.remove(i)
                 running[worker.give(paths[i])] = i, worker
             told(len(paths) - len(jobs) - len(running), paths[min(i for i, _ in running.values())])
             ready = wait(list(running), PAUSE)
@@ -96,14 +98,15 @@ def each(
                 if i in alone:
                     worker.end()
                 else:
-                    idle.append(worker if worker.process.is_alive() else _Worker(work, ends))
+                    idle.append(worker if worker.process.is_alive() else _Worker(work, ends, i))
                 yield i, result
 
 
 class _Worker(Generic[Result]):
     """A process that works on chapters, one after the other."""
 
-    def __init__(self, work: Callable[[Path], Result], ends: ExitStack) -> None:
+    def __init__(self, work: Callable[[Path], Result], ends: ExitStack, first: int = 0) -> None:
+        self.last = first
         self.pipe, self._theirs = _CONTEXT.Pipe()
         self.process = _CONTEXT.Process(target=_serve, args=(work, self._theirs))
         ends.callback(self.end)
@@ -113,6 +116,11 @@ class _Worker(Generic[Result]):
     def _start(self) -> None:
         self.process.start()
         self._theirs.close()
+
+    def near(self, jobs: Sequence[int]) -> int:
+        """The chapter after its last one: it derives few lemmas that another worker has, too."""
+        self.last = next((i for i in jobs if i >= self.last), jobs[0])
+        return self.last
 
     def give(self, path: Path) -> Connection:
         """Begin with a chapter, and return what will be readable at its end."""

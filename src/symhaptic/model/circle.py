@@ -101,10 +101,12 @@ def _sum(terms: Mapping[Monomial, fmpq]) -> Expr:
 
     Nothing is left in it that SymPy could combine, and it is not asked to look for that.
     """
-    known = {(s, n): s**n for monomial in terms for s, n in monomial}
+    powers = {(s, n): s**n for monomial in terms for s, n in monomial}
+    ordered = sorted(powers.items(), key=lambda item: _ORDER(item[1]))
+    rank = {factor: i for i, (factor, _) in enumerate(ordered)}
     found = []
     for monomial, c in terms.items():
-        factors = sorted((known[factor] for factor in monomial), key=_ORDER)
+        factors = [powers[factor] for factor in sorted(monomial, key=rank.__getitem__)]
         if c != 1 or not factors:
             factors.insert(0, rational(c))
         found.append(sp.Mul(*factors, evaluate=False))

@@ -59,7 +59,7 @@ def difference(theorem: Theorem) -> Expr:
 
 
 written = cache(str)
-"""How a proposition is written."""
+"""How a proposition or a term is written."""
 
 
 def nlinarith(claim: Any, *known: Any, degree: int = 2, search: bool = True) -> Theorem:
@@ -77,7 +77,8 @@ def nlinarith(claim: Any, *known: Any, degree: int = 2, search: bool = True) -> 
         raise NotShown(f"{claim} is no relation")
     pairs = [k if isinstance(k, tuple) else (k, S.One) for k in known]
     facts = {_theorem(k).conclusion: (_theorem(k), sp.sympify(m)) for k, m in pairs}
-    text = [str(degree), written(claim), *(f"{written(p)}, {m}" for p, (_, m) in facts.items())]
+    multiplied = (f"{written(p)}, {written(m)}" for p, (_, m) in facts.items())
+    text = [str(degree), written(claim), *multiplied]
     key = hashlib.sha256("\n".join(text).encode()).hexdigest()[:16]
     some = list(facts.values())
     if key in CERTIFICATES:
@@ -89,7 +90,7 @@ def nlinarith(claim: Any, *known: Any, degree: int = 2, search: bool = True) -> 
             if CERTIFICATES[key] is None:
                 raise
     if not search:
-        raise NotShown(f"{claim} has no certificate")
+        raise NotShown(f"{written(claim)} has no certificate")
     CERTIFICATES[key] = USED[key] = None
     for found in _search(claim, some, degree):
         with suppress(NotShown):
