@@ -11,6 +11,8 @@ import pytest
 from oracle import late_wall, wall
 
 from symhaptic import stability_boundary
+from symhaptic.numeric.boundary import tangent
+from symhaptic.numeric.plant import device
 
 LOST = (3.1415926535880505, 3562.927169859833, 0.0, 16.427927677033665)
 """19 half turns in a period, fractional: 8 digits of both numbers were lost."""
@@ -76,3 +78,14 @@ def test_neither_does_the_principal_sheet_lose_digits():
             for k in range(2):
                 allowed = 2 + 2 * sum(abs((m[k] - exact[k]) / exact[k]) for m in moved) / SMALL
                 assert abs((float(found[k]) - exact[k]) / exact[k]) * 2**52 < allowed
+
+
+@pytest.mark.parametrize("delay", [0, 1, 6])
+def test_the_tangent_is_the_slope_of_the_boundary(delay):
+    """Central differences, to the square of a step of 1e-5."""
+    theta, step = np.linspace(0.2, 3.0, 15), 1e-5
+    for gamma, delta in ((0.0, 0.0), (0.4, 0.1), (0.2, 2.0)):
+        low, high = (stability_boundary(theta + h, gamma, delta, delay) for h in (-step, step))
+        slope = (np.array(high) - low) / (2 * step)
+        found = tangent(device(np.array(gamma), np.array(delta)), theta, np.array(float(delay)))
+        assert np.allclose(found, slope, rtol=1e-6, atol=1e-6 * np.abs(slope).max())
