@@ -50,8 +50,8 @@ conditions: .venv/ready
 mutants: .venv/ready
 	$(BIN)/symhaptic mutants --check
 
-# whole files, and all tests of chapters in one process, see tests/conftest.py
-SIDE_BY_SIDE := -n 2 --dist loadgroup --no-loadscope-reorder --durations 12
+# files as a whole, and all that look at chapters in one process, see tests/conftest.py
+SIDE_BY_SIDE := -n 2 --dist loadfile --no-loadscope-reorder --durations 12
 
 # what is attacked once more with each condition of a rule left out, which one attack has to notice
 ATTACKS := $(patsubst %,tests/soundness/test_%.py,kernel captured_names inert_terms \

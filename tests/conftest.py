@@ -2,6 +2,9 @@
 
 import gc
 import os
+import re
+import signal
+from functools import cache
 
 import pytest
 
@@ -16,13 +19,21 @@ os.environ.setdefault(
     "XLA_FLAGS", "--xla_backend_optimization_level=0 --xla_llvm_disable_expensive_passes=true"
 )
 
+# a shell that starts the tests in the background has them ignore what some tests send
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
-def pytest_itemcollected(item):
-    """Tests that look at chapters are one group, so that one process alone runs the chapters."""
-    module = vars(getattr(item, "module", None) or object)
-    taken = {getattr(value, "__module__", None) for value in module.values()}
-    if not taken.isdisjoint({"chapters", "oracles.subject"}):
-        item.add_marker(pytest.mark.xdist_group("chapters"))
+
+@cache
+def _group(path):
+    """What one process runs: all tests that look at chapters, so that chapters are run once.
+
+    The tests of each other file stay together, since they share fixtures.
+    """
+    return "chapters" if _OF_CHAPTERS.search(path.read_text(encoding="utf-8")) else str(path)
+
+
+_OF_CHAPTERS = re.compile(r"^from (chapters|oracles\.subject) import", re.MULTILINE)
 
 
 @pytest.hookimpl(trylast=True)
@@ -34,19 +45,19 @@ def pytest_collection_modifyitems(items):
 def _place(item):
     if item.get_closest_marker("early"):
         return 1
-    return 0 if item.get_closest_marker("xdist_group") else 2
+    return 0 if _group(item.path) == "chapters" else 2
 
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config, log):
-    """With ``--dist loadgroup`` the other tests of a file are a group, too: they share fixtures."""
-    if config.getoption("dist") != "loadgroup":
+    """With ``--dist loadfile`` a process takes one group of tests after the other."""
+    if config.getoption("dist") != "loadfile":
         return None
-    from xdist.scheduler import LoadGroupScheduling
+    from xdist.scheduler import LoadFileScheduling
 
-    class Scheduling(LoadGroupScheduling):
+    class Scheduling(LoadFileScheduling):
         def _split_scope(self, nodeid):
-            return super()._split_scope(nodeid).partition("::")[0]
+            return _group(config.rootpath / nodeid.partition("::")[0])
 
     return Scheduling(config, log)
 
