@@ -3,7 +3,7 @@
 import mpmath as mp
 import numpy as np
 import pytest
-from loops.oracle import device, difference_equation, matrix
+from loops.oracle import device, difference_equation, low_pass, matrix, under_force
 from scipy import signal
 
 from symhaptic import (
@@ -12,6 +12,7 @@ from symhaptic import (
     Filter,
     Lag,
     LinearDevice,
+    LowPass,
     Measured,
     Oversampled,
     Scene,
@@ -146,3 +147,81 @@ def test_a_free_device_with_a_virtual_mass_alone_is_told_at_once(samples):
     for more in ({}, {"damping": 0.5}, {"integrator": "explicit Euler"}, {"delay": 0.0015}):
         scene = Scene(**device, virtual_mass=0.01, **more)
         assert not scene.is_stable([0.0, 0.0, -1e-9], [0.0, 1e-9, 0.0]).any()
+
+
+def test_no_stiffness_is_told_of_a_free_mass_by_a_long_mean_alone():
+    """Without damping every wall is unstable; the wall has no roots to look at."""
+    assert np.isnan(Scene(mass=1.0, sampling_period=1.0, velocity=Average(7)).limit_at(0.0).K)
+
+
+MARGINS = {
+    "a wall without damping": (
+        {"damping": 0.2, "stiffness": 0.005, "velocity": Average(3)},
+        *(0.315, 0.0, 0.5),
+    ),
+    "with a fraction": (
+        {"damping": 0.42, "stiffness": 2e-4, "delay_samples": 1.035, "velocity": Average(3)},
+        *(0.102, 0.0, 5.0),
+    ),
+    "with a lag": (
+        {
+            **{"damping": 0.0235, "stiffness": 11.5, "velocity": Average(3)},
+            "actuator": Lag(time_constant=0.113),
+        },
+        *(-4.53, 0.0, 0.5),
+    ),
+    "a window that begins and ends in a cell": (
+        {
+            **{"damping": 0.07, "stiffness": 7.305, "delay_samples": 1.0},
+            "velocity": LowPass(time_constant=0.9756),
+            "actuator": Lag(time_constant=2.93),
+        },
+        *(18.794, 0.0, 0.05),
+    ),
+    "a long mean": (
+        {
+            **{"damping": 0.0, "stiffness": 11.57, "velocity": Average(5)},
+            "actuator": Lag(time_constant=1.209),
+        },
+        *(-8.6, 0.0011, 0.1),
+    ),
+}
+"""Scenes in units of the mass and the period; K, B and a delay beyond the margin."""
+
+
+@pytest.mark.parametrize("name", MARGINS)
+def test_a_margin_beside_eigenvalues(name):
+    """Stable before the margin and unstable next to it, by eigenvalues of one period."""
+    given, K, B, beyond = MARGINS[name]
+    scene = Scene(mass=1.0, sampling_period=1.0, **given)
+    lag = scene.actuator.time_constant if scene.actuator else None
+    plant = device(given["stiffness"], given["damping"], lag)
+    if isinstance(scene.velocity, Average):
+        filtered = difference_equation([1 / scene.velocity.samples] * scene.velocity.samples, [1])
+    else:
+        filtered = difference_equation(*low_pass(scene.velocity.time_constant, 1, "backward Euler"))
+
+    def radius(more):
+        delay = (scene.delay_samples or 0.0) + more
+        return np.abs(np.linalg.eigvals(matrix(*plant, K, B, delay, *filtered))).max()
+
+    margin = scene.delay_margin(K, B)
+    assert 0 < margin < beyond
+    assert all(radius(x) < 1 for x in np.linspace(0, margin * (1 - 1e-6), 60))
+    assert radius(margin * (1 + 1e-6)) > 1
+
+
+def test_a_wall_that_never_reaches_the_device_has_no_margin():
+    """|A| > |W| on the whole circle at each fraction: the extrema of both are no crossings."""
+    given = {"damping": 1.304, "stiffness": 7.5655, "actuator": Lag(time_constant=0.7844)}
+    scene = Scene(mass=1.0, sampling_period=1.0, **given)
+    theta = np.linspace(1e-3, np.pi, 2000)
+    A, b, x, _ = device(7.5655, 1.304, 0.7844)
+    for part in np.linspace(0, 0.95, 20):
+        step, early = under_force(A, b, 1.0)[0], under_force(A, b, 1.0 - part)
+        late = early[0] @ under_force(A, b, part)[1]
+        z = np.exp(1j * theta)[:, None, None]
+        force = early[1] + late / z[..., 0]
+        gain = x @ np.linalg.solve(z * np.eye(3) - step, force[..., None])
+        assert (np.abs(7 * gain) < 1).all()
+    assert np.isinf(scene.delay_margin(-7.0, 0.0))

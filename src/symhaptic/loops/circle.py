@@ -87,7 +87,7 @@ def beside(z: Complex, multiples: Array) -> Array:
     """
     angle, apart = np.abs(np.angle(z)), np.abs(np.abs(z) - 1)
     found = angle[..., None] + apart[..., None] * multiples
-    return np.asarray(found.reshape(*z.shape[:-1], -1))
+    return np.asarray(found.reshape(*z.shape[:-1], z.shape[-1] * len(multiples)))
 
 
 def grid(uniform: Array, first: float, *polynomials: Array) -> Array:
@@ -101,21 +101,23 @@ def grid(uniform: Array, first: float, *polynomials: Array) -> Array:
 _FINE = np.concatenate([-np.geomspace(1e3, 0.02, 80), [0.0], np.geomspace(0.02, 1e3, 80)])
 
 
-def real_roots(coefficients: Array) -> Array:
-    """Where polynomials change their signs for 0 < x < 4; the rest of the last axis is 4.
+def real_roots(coefficients: Array) -> tuple[Array, NDArray[np.bool_]]:
+    """Where polynomials change their signs for 0 < x < 4, in ascending order, and if they do.
 
     Between neighbouring roots of the derivative, found first in the same way, a polynomial rises
-    or falls, and Newton's steps are kept inside of brackets.
+    or falls, and Newton's steps are kept inside of brackets.  Where the sign does not change, the
+    place is the right one of these neighbours, next to which it may nearly do so, or 4.
     """
     chain = [coefficients]
     while chain[-1].shape[-1] > 1:
         chain.append(chain[-1][..., 1:] * np.arange(1, chain[-1].shape[-1]))
     shape = coefficients.shape[:-1]
     found = np.zeros((*shape, 0))
+    changes = np.zeros((*shape, 0), dtype=bool)
     for slope, each in zip(chain[:0:-1], chain[-2::-1], strict=True):
         ends = np.concatenate([np.zeros((*shape, 1)), found, np.full((*shape, 1), 4.0)], axis=-1)
-        found = _between(each, slope, ends)
-    return found
+        found, changes = _between(each, slope, ends)
+    return found, changes
 
 
 def real_value(coefficients: Array, x: Array) -> Array:
@@ -127,13 +129,13 @@ def real_value(coefficients: Array, x: Array) -> Array:
     return found
 
 
-def _between(each: Array, slope: Array, ends: Array) -> Array:
+def _between(each: Array, slope: Array, ends: Array) -> tuple[Array, NDArray[np.bool_]]:
     """The root between neighbouring ends where the signs there differ, else the right end."""
     negative = real_value(each, ends) < 0
     changes = negative[..., 1:] != negative[..., :-1]
     found = ends[..., 1:].copy()
     if not changes.any():
-        return found
+        return found, changes
     rows = np.nonzero(changes)[:-1]
     low, high = ends[..., :-1][changes], ends[..., 1:][changes]
     before = negative[..., :-1][changes]
@@ -151,7 +153,7 @@ def _between(each: Array, slope: Array, ends: Array) -> Array:
         if (done | (here == 0)).all():
             break
     found[changes] = x
-    return np.sort(found, axis=-1)
+    return found, changes
 
 
 def zeros(function: Callable[[Array], Array], low: Array, high: Array) -> Array:

@@ -203,16 +203,17 @@ def _ends(A: Array, W: Array, in_z: bool) -> Array:
 
 def _few_ends(A: Array, W: Array) -> Array:
     sides = _balance(A, W), imaginary(A), imaginary(W)
-    return _angle(np.concatenate([real_roots(each) for each in sides], axis=-1))
+    return _angle(np.concatenate([real_roots(each)[0] for each in sides], axis=-1))
 
 
 def equal(A: Array, W: Array, in_z: bool) -> Array:
     """Angles at which |A| = |W|, in ascending order; NaN for those that are not there."""
     if in_z:
         _, angles, there = _many(A, W)
-        return np.where(there, angles, np.nan)
-    x = real_roots(_balance(A, W))
-    return np.where((x > 0) & (x < 4), _angle(x), np.nan)
+    else:
+        x, there = real_roots(_balance(A, W))
+        angles, there = _angle(x), there & (x > 0) & (x < 4)
+    return np.sort(np.where(there, angles, np.nan), axis=-1)
 
 
 def _balance(A: Array, W: Array) -> Array:

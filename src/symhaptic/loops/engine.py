@@ -203,20 +203,28 @@ class Engine:
         A root is on the circle where the phase between the two parts passes 0 at an angle of
         |A| = |W|.  In a cell of the delay that phase turns by less than half a radian.  Verdicts in
         the middle of all pieces tell which are stable; where two of them differ and no phase passes
-        0, the end is between their middles.
+        0, the end is between their middles.  Cells next to a small phase are parted, because it
+        may pass 0 and come back.
         """
         fastest = self._fastest(alpha, beta)
         cells = math.ceil((last - first) * min(8.0, 2 * fastest + 1.0))
         grid = self._with_births(alpha, beta, np.linspace(first, last, cells + 2))
+        grid = self._with_small_phases(alpha, beta, grid)
         phase = self._phases(alpha, beta, grid)
         one, two = phase[:-1], phase[1:]
         with np.errstate(invalid="ignore"):
             there = (one * two <= 0) & (np.abs(one - two) < 2.0)
         rows, slots = np.nonzero(there)
-        each = np.arange(len(slots))
-        crossed = zeros(
-            lambda at: self._phases(alpha, beta, at)[each, slots], grid[rows], grid[rows + 1]
-        )
+
+        def at_slots(delays: Array) -> Array:
+            phases = self._phases(alpha, beta, delays)
+            more = max(0, phase.shape[-1] - phases.shape[-1])
+            padded = np.pad(phases, ((0, 0), (0, more)), constant_values=np.nan)
+            return np.asarray(padded[np.arange(len(slots)), slots])
+
+        crossed = zeros(at_slots, grid[rows], grid[rows + 1])
+        if crossed.size:  # next to a birth an angle may change its slot, and no zero is found
+            crossed = crossed[np.abs(at_slots(crossed)) < _ZERO]
         ends = np.unique(np.concatenate([grid, crossed]))
         middles = (ends[1:] + ends[:-1]) / 2
         told = self._stable_at(alpha, beta, middles)
@@ -251,6 +259,14 @@ class Engine:
             low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
             at_low, at_high = np.concatenate([at_low, at]), np.concatenate([at, at_high])
         return np.unique(np.concatenate(added))
+
+    def _with_small_phases(self, alpha: float, beta: float, grid: Array) -> Array:
+        """A grid of delays with more of them in cells in which a phase may pass 0."""
+        phase = np.abs(self._phases(alpha, beta, grid))
+        small = np.asarray((phase < _SMALL).any(axis=1))
+        cells = np.flatnonzero(small[:-1] | small[1:])
+        inner = grid[cells, None] + np.diff(grid)[cells, None] * _PARTS[3::4]
+        return np.unique(np.concatenate([grid, inner.ravel()]))
 
     def _stable_at(self, alpha: float, beta: float, delays: Array) -> NDArray[np.bool_]:
         found = [
@@ -357,6 +373,12 @@ class Engine:
             start, width = start + width, 2 * width
         return math.nan
 
+
+_SMALL = 0.5
+"""In a cell a phase turns by less, in rad."""
+
+_ZERO = 1e-6
+"""A smaller phase, in rad, is a zero that was found."""
 
 _PARTS = np.arange(1, 17) / 16
 """Ends of sixteen parts of a window of delays."""
