@@ -141,7 +141,7 @@ def test_a_wall_without_stiffness_does_not_hold_a_free_device(velocity):
 
 @pytest.mark.usefixtures("either")
 @pytest.mark.parametrize("samples", [2, 5, 200])
-def test_a_free_device_with_a_virtual_mass_alone_is_told_at_once(samples):
+def test_the_count_ends_for_a_free_device_with_a_virtual_mass_alone(samples):
     """Device and wall vanish at z = 1 as (z - 1)^2, and in powers of z that is lost in rounding."""
     device = {"mass": 0.1, "sampling_period": 0.001, "velocity": Average(samples)}
     for more in ({}, {"damping": 0.5}, {"integrator": "explicit Euler"}, {"delay": 0.0015}):
@@ -149,7 +149,7 @@ def test_a_free_device_with_a_virtual_mass_alone_is_told_at_once(samples):
         assert not scene.is_stable([0.0, 0.0, -1e-9], [0.0, 1e-9, 0.0]).any()
 
 
-def test_no_stiffness_is_told_of_a_free_mass_by_a_long_mean_alone():
+def test_an_undamped_free_mass_with_a_long_mean_has_no_limit():
     """Without damping every wall is unstable; the wall has no roots to look at."""
     assert np.isnan(Scene(mass=1.0, sampling_period=1.0, velocity=Average(7)).limit_at(0.0).K)
 

@@ -86,8 +86,10 @@ def each(
         running: dict[Connection, tuple[int, _Worker[Result]]] = {}
         while running or jobs:
             while jobs and len(running) < workers:
-                worker = alone.get(jobs[0]) or idle.pop()
-                i = worker.near(jobs) if jobs[0] not in alone else jobs[0]
+                i = jobs[0]
+                worker = alone[i] if i in alone else idle.pop()
+                if i not in alone:
+                    i = worker.near(jobs)
                 jobs.remove(i)
                 running[worker.give(paths[i])] = i, worker
             told(len(paths) - len(jobs) - len(running), paths[min(i for i, _ in running.values())])
@@ -118,7 +120,7 @@ class _Worker(Generic[Result]):
         self._theirs.close()
 
     def near(self, jobs: Sequence[int]) -> int:
-        """The chapter after its last one: it derives few lemmas that another worker has, too."""
+        """Return the next chapter after its last one, because neighbours share lemmas."""
         self.last = next((i for i in jobs if i >= self.last), jobs[0])
         return self.last
 

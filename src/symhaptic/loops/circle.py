@@ -102,7 +102,7 @@ _FINE = np.concatenate([-np.geomspace(1e3, 0.02, 80), [0.0], np.geomspace(0.02, 
 
 
 def real_roots(coefficients: Array) -> tuple[Array, NDArray[np.bool_]]:
-    """Where polynomials change their signs for 0 < x < 4, in ascending order, and if they do.
+    """Where polynomials change their signs for 0 < x < 4, in ascending order, and whether they do.
 
     Between neighbouring roots of the derivative, found first in the same way, a polynomial rises
     or falls, and Newton's steps are kept inside of brackets.  Where the sign does not change, the

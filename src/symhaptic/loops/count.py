@@ -72,7 +72,7 @@ def _halved(A: Array, in_z: bool, W: Array, whole: Array) -> tuple[Array, Array]
     inside, near, left = np.empty(rows), np.empty(rows), np.arange(rows)
     for deep in range(_DEEPEST + 1):
         inside[left], near[left], middles = _turned(A, W, delays, ends, in_z)
-        # where p is lost in rounding, all halves of an arc turn at random: such a loop is told
+        # where p is lost in rounding, halving does not help: the nearness says so
         again = np.isfinite(middles).any(axis=-1) & (near[left] > _ON)
         if not again.any() or deep == _DEEPEST:
             break

@@ -203,8 +203,8 @@ class Engine:
         A root is on the circle where the phase between the two parts passes 0 at an angle of
         |A| = |W|.  In a cell of the delay that phase turns by less than half a radian.  Verdicts in
         the middle of all pieces tell which are stable; where two of them differ and no phase passes
-        0, the end is between their middles.  Cells next to a small phase are parted, because it
-        may pass 0 and come back.
+        0, the end is between their middles.  Cells next to a small phase are divided, because
+        the phase may pass 0 and return within one cell.
         """
         fastest = self._fastest(alpha, beta)
         cells = math.ceil((last - first) * min(8.0, 2 * fastest + 1.0))
@@ -261,7 +261,7 @@ class Engine:
         return np.unique(np.concatenate(added))
 
     def _with_small_phases(self, alpha: float, beta: float, grid: Array) -> Array:
-        """A grid of delays with more of them in cells in which a phase may pass 0."""
+        """Add delays to a grid in the cells in which a phase may pass 0."""
         phase = np.abs(self._phases(alpha, beta, grid))
         small = np.asarray((phase < _SMALL).any(axis=1))
         cells = np.flatnonzero(small[:-1] | small[1:])
@@ -375,10 +375,10 @@ class Engine:
 
 
 _SMALL = 0.5
-"""In a cell a phase turns by less, in rad."""
+"""A phase turns by less than this in a cell, in rad."""
 
 _ZERO = 1e-6
-"""A smaller phase, in rad, is a zero that was found."""
+"""A phase below this, in rad, counts as a zero."""
 
 _PARTS = np.arange(1, 17) / 16
 """Ends of sixteen parts of a window of delays."""

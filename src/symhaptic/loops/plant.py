@@ -26,7 +26,7 @@ class Plant(NamedTuple):
     position: Row
     velocity: Row
     free: bool = False
-    """Whether it can rest without a force anywhere, det A = 0, as a device without a spring."""
+    """Whether it can rest anywhere without a force (det A = 0), like a device without a spring."""
 
 
 def moving_mass(gamma: Number = 0, delta: Number = 0) -> Plant:
@@ -129,8 +129,8 @@ def transfer(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """row adj(w - step) column and det(w - step): coefficients of 1, w, w^2, ... on the last axis.
 
-    There may be many columns, the loops in front.  A free device has det(-step) = 0 exactly, of
-    which rounded entries leave a number of either sign.
+    There may be many columns, the loops in front.  For a free device det(-step) is exactly 0;
+    computed from rounded entries, it may have either sign.
     """
     rows, bottom = _resolvent(sampled.step.tobytes(), row.tobytes())
     if sampled.free:

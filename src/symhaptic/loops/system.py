@@ -169,4 +169,4 @@ def _singular(matrix: fmpq_mat) -> bool:
 
 
 _EXACT = 50
-"""Bits of an entry that are right: states that were mixed are rounded a few times."""
+"""Correct bits of an entry: a change of states rounds each entry a few times."""
