@@ -145,6 +145,7 @@ def test_the_truth_of_a_verdict_agrees_with_eigenvalues_away_from_the_boundary()
             assert (verdicts.by_jury(rows) == truth).all()
 
 
+@pytest.mark.ci
 def test_the_print_refuses_a_plant_without_stiffness(tmp_path):
     """(14) is 0/0 for gamma = 0; the other methods judge: this free mass is stable."""
     one = np.array([0.5]), np.array([1.0]), np.array([0.0]), np.array([0.0])
@@ -162,6 +163,7 @@ def test_the_limit_at_a_virtual_damping_is_on_the_boundary():
         assert one is (side < 0)
 
 
+@pytest.mark.ci
 def test_peers_answer_the_same(tiny):
     """But a phase margin in fractions of a period, which is not the delay that a loop bears."""
     for row in tiny["peers"]:

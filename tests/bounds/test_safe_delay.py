@@ -16,6 +16,8 @@ from symhaptic.bounds.safe.passive import is_passive, passive
 from symhaptic.numeric.passivity import passivity_margin
 from symhaptic.numeric.stability import is_stable
 
+pytestmark = pytest.mark.ci
+
 CASE = loops("0.1", "0.5", 1, ((0, 2), (0, 20), (0, 1000)))
 K, B = 9000.0, 40.0
 

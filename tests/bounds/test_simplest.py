@@ -15,6 +15,8 @@ from symhaptic.bounds.simplest.max_stiffness import stiffest as largest
 from symhaptic.bounds.simplest.plants import Interval, NotCovered, NotEnclosed, numbers
 from symhaptic.model.parts import Parts
 
+pytestmark = pytest.mark.ci
+
 ARM = Interval(Fraction(0), Fraction(1, 1000)), Interval(Fraction(0), Fraction(1, 50))
 """The paper's (23)."""
 

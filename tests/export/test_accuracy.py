@@ -30,6 +30,8 @@ from symhaptic.export.routines import arithmetic, device
 from symhaptic.export.vectors import sized
 from symhaptic.forms.derivatives import differentiable, with_derivatives
 
+pytestmark = pytest.mark.ci
+
 needs_gcc = pytest.mark.skipif(
     shutil.which("gcc") is None, reason="no gcc here: exported C is not measured"
 )

@@ -11,6 +11,8 @@ from symhaptic.export.arrays import of_both
 from symhaptic.export.targets import TARGETS
 from symhaptic.model.parts import FULL
 
+pytestmark = pytest.mark.ci
+
 
 def test_a_number_that_differs_gets_one_name_for_all_its_places():
     found = of_both(["a = 0.5*x", "b = 1e-15*a + 1e-15"], ["a = 0.5*x", "b = 1e-07*a + 1e-07"], "x")

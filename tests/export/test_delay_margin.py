@@ -10,6 +10,8 @@ from export.test_sampled import KINDS, ROOM, Exported, in_floats
 from symhaptic.export import request
 from symhaptic.export.targets import TARGETS
 
+pytestmark = pytest.mark.ci
+
 LATER = {"double": 1e-6, "single": 0.03}
 """So much later than the margin, of the whole delay and two periods, a loop is unstable."""
 

@@ -21,6 +21,8 @@ from symhaptic.forms.derivatives import differentiable
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.scene.scene import Scene
 
+pytestmark = pytest.mark.ci
+
 needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc here")
 
 EVERY = ("theta", "alpha", "beta", "gamma", "delta", "d")

@@ -21,6 +21,8 @@ from symhaptic.export.vectors import vectors
 from symhaptic.forms import stable
 from symhaptic.model.parts import Parts
 
+pytestmark = pytest.mark.ci
+
 ALL = request.chosen([])
 ORDINARY = {"alpha": 0.01, "beta": 0.1, "gamma": 0.001, "delta": 0.02, "d": 1.0, "theta": 0.5,
             "epsilon": 0.5}  # fmt: skip

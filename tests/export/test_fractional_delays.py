@@ -20,6 +20,8 @@ from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.forms import stable
 from symhaptic.notation import d
 
+pytestmark = pytest.mark.ci
+
 DELAYS = 0.02, 0.25, 0.5, 0.75, 0.98, 1.3, 2.5, 5.9
 SCENES = "", "no-stiffness", "no-damping", "no-virtual-damping"
 SLACK = {DOUBLE: 1e-12, SINGLE: 1e-4}

@@ -10,6 +10,8 @@ from symhaptic.export import request
 from symhaptic.export.c import CPP_KEYWORDS
 from symhaptic.export.targets import TARGETS
 
+pytestmark = pytest.mark.ci
+
 
 def needs(*programs):
     for program in programs:

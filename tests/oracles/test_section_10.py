@@ -10,6 +10,8 @@ from oracles.subject import page
 from scipy.linalg import expm
 from sympy import sympify
 
+pytestmark = pytest.mark.ci
+
 DICE = 1810
 
 

@@ -7,6 +7,8 @@ from oracles import motion
 from oracles.guarding import guards
 from oracles.subject import number, only, settled, shown, value
 
+pytestmark = pytest.mark.ci
+
 ARM = {"m_D": 0.4, "b_D": 1.5, "m_H": 1.8, "b_H": 26.2, "k_H": 199.1}
 
 

@@ -7,6 +7,8 @@ from oracles.guarding import guards
 from oracles.subject import counterexample, number, only, shown, value
 from scipy.linalg import expm
 
+pytestmark = pytest.mark.ci
+
 CHAPTER = "s3_interconnection"
 
 

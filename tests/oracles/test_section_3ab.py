@@ -15,6 +15,8 @@ from scipy.optimize import minimize
 
 from symhaptic.notation import function, z
 
+pytestmark = pytest.mark.ci
+
 DELAYS = (0, 1, 3)
 
 

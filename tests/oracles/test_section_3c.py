@@ -7,6 +7,8 @@ from oracles.guarding import guards
 from oracles.subject import number, only, page, settled, shown
 from scipy.optimize import linprog
 
+pytestmark = pytest.mark.ci
+
 DELAYS = (0, 1, 3)
 
 

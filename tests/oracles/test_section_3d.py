@@ -9,6 +9,8 @@ from oracles import energy
 from oracles.guarding import guards
 from oracles.subject import counterexample, number, only, page, shown, value
 
+pytestmark = pytest.mark.ci
+
 CHAPTER = "s3d_figures"
 WHOLE = (1, 2, 4)
 

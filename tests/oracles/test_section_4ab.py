@@ -15,6 +15,8 @@ from symhaptic.model import loop, plant
 from symhaptic.model.parts import ALL, FULL
 from symhaptic.notation import c
 
+pytestmark = pytest.mark.ci
+
 DEVICES = [(0.4, 3.0, 250.0, 2e-3), (2.0, 9.0, 10.0, 0.1), (0.02, 0.3, 900.0, 0.01)]
 """m, b, k and T: swinging, overdamped with a long period, and with a third of a swing."""
 

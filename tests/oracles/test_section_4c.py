@@ -6,6 +6,8 @@ from oracles import motion
 from oracles.guarding import guards
 from oracles.subject import number, only, settled
 
+pytestmark = pytest.mark.ci
+
 ARMS = {  # m_H, k_H, b_H as in the paper
     "Daniel": (1, 39.5, 12.6),
     "Hogan": (0.8, 568, 5.5),

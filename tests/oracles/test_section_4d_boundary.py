@@ -12,6 +12,8 @@ from symhaptic.model import boundary, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import c
 
+pytestmark = pytest.mark.ci
+
 ENDS, UNDAMPED = "s4d_explicit_boundary_ends", "s4d_explicit_boundary"
 
 

@@ -8,6 +8,8 @@ from oracles.guarding import guards
 from oracles.search import stiffest
 from oracles.subject import only, said, shown, solved, value
 
+pytestmark = pytest.mark.ci
+
 FIGURE_7, FIGURE_9 = "s4d_figure7_undelayed", "s4d_figure9_delayed"
 
 

@@ -8,6 +8,8 @@ from oracles.guarding import guards
 from oracles.search import edge, stiffest
 from oracles.subject import decimals, meant, number, only, page, shown, value
 
+pytestmark = pytest.mark.ci
+
 MASS, EXTREMES, LONG = "s4d_free_mass", "s4d_free_mass_extremes", "s4d_free_mass_long_delay"
 DAMPED = "s4d_mass_with_damper"
 

@@ -13,6 +13,8 @@ from oracles.subject import number, only, page, said, shown, solved
 
 from symhaptic.model import jury
 
+pytestmark = pytest.mark.ci
+
 COUNTED, EXPLICIT, IMPLICIT = "s4d_jury_counted", "s4d_jury_explicit", "s4d_jury_implicit"
 
 

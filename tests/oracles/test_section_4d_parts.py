@@ -9,6 +9,8 @@ from oracles.guarding import guards
 from oracles.search import stiffest
 from oracles.subject import counterexample, decimals, number, only, said, shown, value
 
+pytestmark = pytest.mark.ci
+
 LEFT, DELAYED = "s4d_left_bound", "s4d_left_bound_delayed"
 
 

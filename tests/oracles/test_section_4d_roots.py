@@ -6,6 +6,8 @@ import pytest
 from oracles.guarding import guards
 from oracles.subject import number, only, shown, value
 
+pytestmark = pytest.mark.ci
+
 COUNTED, MARGIN = "s4d_roots_counted", "s4d_roots_delay_margin"
 
 

@@ -7,6 +7,8 @@ from oracles import motion
 from oracles.guarding import guards
 from oracles.subject import number, only, page, shown
 
+pytestmark = pytest.mark.ci
+
 CHAPTER = "s4d_virtual_damping"
 ARM = (0.001, 0.02)
 """The largest spring and damper of (23)."""

@@ -11,6 +11,8 @@ from oracles.guarding import guards
 from oracles.search import edge
 from oracles.subject import counterexample, decimals, number, only, page, settled, shown, value
 
+pytestmark = pytest.mark.ci
+
 LAG, DROPPED, LINE = "s4e_lag", "s4e_lag_dropped", "s4e_line"
 CASES = [(0.4, 3.0, 250.0, 30.0, 2e-3), (2.0, 9.0, 10.0, -4.0, 0.1), (0.02, 0.3, 0.0, 0.1, 0.01)]
 """m, b, k, B and t_e."""

@@ -8,6 +8,8 @@ from oracles import energy, motion
 from oracles.guarding import guards
 from oracles.subject import number, only, settled, shown, value
 
+pytestmark = pytest.mark.ci
+
 PLANTS = [(1e-3, 0.02), (2.0, 0.5), (0.1, 3.0), (9.0, 0.05)]
 
 

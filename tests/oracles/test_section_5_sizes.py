@@ -12,6 +12,8 @@ from oracles.subject import counterexample
 from symhaptic.book.lemmas.robust import WALLS
 from symhaptic.paper.propositions import areas, far_higher, linear_error, one_delta, robust
 
+pytestmark = pytest.mark.ci
+
 RNG = np.random.default_rng(606)
 
 

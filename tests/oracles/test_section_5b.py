@@ -7,6 +7,8 @@ from oracles import energy, motion
 from oracles.guarding import guards
 from oracles.subject import counterexample, number, only, shown
 
+pytestmark = pytest.mark.ci
+
 SOFT = "s5b_soft_contacts"
 
 

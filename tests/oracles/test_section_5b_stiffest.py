@@ -10,6 +10,8 @@ from oracles.guarding import guards
 from oracles.search import first_arc, stiffest
 from oracles.subject import counterexample, decimals, meant, number, only, page, shown, value
 
+pytestmark = pytest.mark.ci
+
 UNDELAYED, WALL, NUMBERS, PEAK = (
     f"s5b_stiffest_{name}" for name in ("undelayed", "wall", "wall_numbers", "wall_peak")
 )

@@ -8,6 +8,8 @@ from oracles.guarding import guards
 from oracles.search import edge
 from oracles.subject import counterexample, number, only, page, settled, shown, value
 
+pytestmark = pytest.mark.ci
+
 NUMBERS, ARMS, REGION = "s5c_nyquist_numbers", "s5c_nyquist_arms", "s5c_nyquist_region"
 
 

@@ -12,6 +12,8 @@ from oracles.guarding import guards
 from oracles.search import first_arc, stiffest
 from oracles.subject import counterexample, number, only, page, shown
 
+pytestmark = pytest.mark.ci
+
 with mpmath.workdps(60):
     DELTA = mpmath.mpf(1) / 50
     SPRING = mpmath.mpf(1) / 1000

@@ -15,6 +15,8 @@ from symhaptic.model import fractional, plant
 from symhaptic.model.parts import FULL
 from symhaptic.notation import c
 
+pytestmark = pytest.mark.ci
+
 PLANTS = [(1e-3, 0.02), (2.0, 0.5), (0.1, 3.0), (9.0, 0.05)]
 LATES = (0.1, 0.5, 0.8)
 

@@ -9,6 +9,8 @@ from oracles.guarding import guards
 from oracles.search import edge
 from oracles.subject import decimals, meant, number, only, settled, shown
 
+pytestmark = pytest.mark.ci
+
 LATES = (0.1, 0.5, 0.8)
 
 

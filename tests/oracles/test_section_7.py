@@ -6,6 +6,8 @@ import pytest
 from oracles.guarding import guards
 from oracles.subject import counterexample, page
 
+pytestmark = pytest.mark.ci
+
 SECTIONS = ["I", "II", "III", "IV", "V", "VI"]  # the last is the conclusion
 AUTHORS = {21: "Daniel McAree", 17: "Hogan", 22: "Kazerooni Tsay Hollerbach"}
 AUTHORS |= {23: "Kosuge Fujisawa Fukuda", 24: "Kuchenbecker Park Niemeyer"}

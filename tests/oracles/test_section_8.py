@@ -7,6 +7,8 @@ from oracles import motion
 from oracles.guarding import guards
 from oracles.subject import page
 
+pytestmark = pytest.mark.ci
+
 RNG_WALLS = 60
 
 

@@ -13,6 +13,8 @@ from symhaptic.book.lemmas.renaming import definitions, explicit
 from symhaptic.notation.proposition import conjuncts
 from symhaptic.proof.theorems.judge import taken_apart
 
+pytestmark = pytest.mark.ci
+
 PLANTS = [(mpf("0.2"), mpf("1.3")), (mpf(2), mpf("0.5")), (mpf(9), mpf("0.05"))]
 LATES = (mpf("0.1"), mpf("0.7"))
 ANGLES = (mpf("0.2"), mpf("1.1"), mpf("2.6"))
