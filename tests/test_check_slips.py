@@ -222,12 +222,12 @@ def test_a_factor_is_a_fraction_only_where_it_is_one():
 
 
 def test_the_plainest_wrong_argument_may_be_a_power_of_ten():
-    """K is wrong from 900 to 1100 only; 1000 has fewer digits than any other number there."""
+    """K is wrong from 900 to 5000 only, where 4321.0 is rounded to 4000 or to its power, 1000."""
 
     def mine(K, B, T):
-        return K * T / 2 + abs(B) + (900 < K < 1100)
+        return K * T / 2 + abs(B) + (900 < K < 5000)
 
-    begin = (987.654, 0.3, 0.1), (7.0,)
+    begin = (4321.0, 0.3, 0.1), (7.0,)
     at, _ = plainest(CHECKED["eq6"], callers.called(mine), begin, 8, {}, 60.0)
     assert at == (1000.0, 0.0, 1.0)
 
