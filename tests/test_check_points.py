@@ -46,6 +46,15 @@ def test_angles_lie_at_each_of_the_first_half_turns_of_the_delay(name):
     assert ((turn > 0.1) & (turn < 0.9)).mean() > 0.2
 
 
+def test_angles_next_to_pi_have_all_the_distances():
+    """From 1e-9 to 0.1: some 40 of 10 000 points in each decade."""
+    one = CHECKED["stability_boundary"]
+    points = drawn(one, MANY)
+    off = math.pi - np.array(points.all)[~points.ordinary, 0]
+    decades, _ = np.histogram(np.log10(off), range(-9, 0))
+    assert min(decades) > 20
+
+
 @pytest.mark.parametrize("name", ["eq5", "eq7", "eq27", "passivity_boundary"])
 def test_usual_angles_are_spread_over_the_half_turn_that_they_have(name):
     """Up to pi, or up to pi/(d + 1) where the curve ends; omega T is such an angle."""
@@ -188,6 +197,12 @@ def test_behind_long_delays_the_stiffness_counts_in_full_and_where_it_is_in_half
         alpha, beta, theta = (float(v) for v in exact(one, (0.0, 1.0, d))[0])
         assert error(one, (0.0, 1.0, d), (alpha, beta + 1e-8, theta + 1e-8))[0] <= 8
         assert error(one, (0.0, 1.0, d), (alpha * (1 + 1e-9), beta, theta))[0] > 1e5
+
+
+def test_at_large_angles_a_unit_of_equation_5_is_at_most_two_of_the_value():
+    """Without delay and virtual damping b = K T (1 - cos(theta))/(2 - 2 cos(theta)) = K T/2."""
+    off = 20 * math.ulp(0.5)
+    assert error(CHECKED["eq5"], (1.0, 0.0, 1.0, 3.1, 0.0), (0.5 + off,))[0] > 8
 
 
 @pytest.mark.parametrize("theta", [1e-3, 0.03, 0.5])
