@@ -556,6 +556,13 @@ def test_a_stiffness_without_an_exact_value_is_refuted_by_walls(share, why):
     assert (off == math.inf) == bool(why)
     assert one.refutes is not None
     assert why in one.refutes(AT, [share * alpha])
+    gamma, delta, d = AT
+    m, T = 0.1, 0.01
+    said = CHECKED["scene.max_stable_stiffness"].refutes(
+        (m, delta * m / T, gamma * m / T**2, T, d), [share * alpha * m / T**2]
+    )
+    assert why in said
+    assert bool(said) == bool(why)
 
 
 # -- what is covered -----------------------------------------------------------------------------

@@ -9,8 +9,9 @@ import pytest
 from scipy.linalg import expm
 
 from symhaptic.check import callers
-from symhaptic.check.compare import compared
+from symhaptic.check.compare import compared, plainest
 from symhaptic.check.formulas import CHECKED
+from symhaptic.check.mistakes import factor
 
 
 def stiffest(b, T, d, *, turn=lambda x: x, half=lambda x: x / 2, pi=pi):
@@ -189,6 +190,56 @@ def test_twice_the_angle_is_named():
 
     found = compared(CHECKED["eq11"], callers.called(mine), 8, 3000)
     assert found.names == ("this is (11) with twice the angle in tan",)
+
+
+@pytest.mark.parametrize(
+    ("formula", "function", "said"),
+    [
+        ("is_passive", lambda *wall: not passive(*wall), "true and false are exchanged"),
+        (
+            "scene.max_stable_stiffness",
+            lambda m, b, k, T, d: 2 * b / T,
+            "a rule in circulation: a stiffness up to twice the damping over the period is stable; "
+            "see rules:twice-damping",
+        ),
+    ],
+)
+def test_few_points_name_what_is_wrong_everywhere(formula, function, said):
+    assert compared(CHECKED[formula], callers.called(function), 8, 60).names == (said,)
+
+
+def test_numbers_that_are_wrong_beside_nan_are_told_of_whatever_their_size():
+    """(12) has n1 = x T^2/m of some 1e-6 s^2/kg: one hundredth of them is far, too."""
+
+    def mine(b, k, m, T):
+        n1, n0, a, e = sampled(b, k, m, T)
+        return n0, n1 + n0, a, e
+
+    over = {"T": (1e-4, 1e-2), "m": (0.1, 1.0)}
+    found = compared(CHECKED["eq12"], callers.called(defined(mine)), 8, 300, over)
+    assert found.names == (
+        "NaN where the device swings: a real square root of b^2 - 4km; "
+        "where it is a number it is wrong, too",
+    )
+
+
+def test_a_factor_is_a_fraction_only_where_it_is_one():
+    """1/sqrt(2) is off by 1e-6 from each fraction of numbers up to 1000; 355/113 is not pi, but
+    as near as the factor has digits."""
+    x = np.arange(1.0, 9.0)
+    for times, said in ((sqrt(0.5), "0.707107*x"), (0.4, "2*x/5"), (pi * pi, "9.8696*x")):
+        assert factor({"x": ()}, [x], x, times * x**2) == said
+
+
+def test_the_plainest_wrong_argument_may_be_a_power_of_ten():
+    """K is wrong from 900 to 5000 only, where 4321.0 is rounded to 4000 or to its power, 1000."""
+
+    def mine(K, B, T):
+        return K * T / 2 + abs(B) + (900 < K < 5000)
+
+    begin = (4321.0, 0.3, 0.1), (7.0,)
+    at, _ = plainest(CHECKED["eq6"], callers.called(mine), begin, 8, {}, 60.0)
+    assert at == (1000.0, 0.0, 1.0)
 
 
 def test_a_right_function_has_no_slip():

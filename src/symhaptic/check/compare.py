@@ -162,7 +162,6 @@ def _looked(checked: Checked, points: Points, got: list[Point]) -> list[int]:
                 size = np.maximum(size, scale[:, : mine.shape[1]])
             away = np.abs(mine - near) / np.spacing(size)
             away[np.isnan(mine) ^ np.isnan(near) | np.isinf(mine) ^ np.isinf(near)] = np.inf
-            away[np.isnan(mine) & np.isnan(near)] = 0.0
     order = np.argsort(-np.nan_to_num(away, nan=0.0, posinf=np.inf).max(axis=1), kind="stable")
     beside = np.flatnonzero(~np.isnan(points.distance[:count]))
     chosen = dict.fromkeys([*beside.tolist(), *order[: checked.balls // 2].tolist()])

@@ -316,7 +316,7 @@ def _values(checked: Checked, exprs: Sequence[Expr]) -> Callable[[Columns], Colu
 def _function(arguments: tuple[Symbol, ...], exprs: tuple[Expr, ...]) -> Callable[..., Any]:
     """Expressions as a function of arrays, made once for all that are checked."""
     down = {"floor": lambda x: np.floor(np.real(x))}
-    return cast("Callable[..., Any]", sp.lambdify(arguments, exprs, [down, "numpy"], cse=True))
+    return cast("Callable[..., Any]", sp.lambdify(arguments, exprs, [down, "numpy"]))
 
 
 def _share(values: Sequence[Any], mine: Any, by: float) -> float:
