@@ -304,19 +304,33 @@ def test_chords_follow_the_whole_boundary_in_a_box(delay):
 
     p(-1) = 0 is alpha + 2 beta = (-1)^d (1 + a + e)/(n1 - n0).
     """
-    gamma, delta, share, box = 0.5, 0.3, 1e-3, np.array([[-1.0, -8.0], [8.0, 60.0]])
+    gamma, delta, share, box = 0.5, 0.3, 1e-6, np.array([[-1.0, -8.0], [8.0, 60.0]])
     ends = chords(Loop(gamma, delta, float(delay)), tuple(box.ravel()), share)
+    assert len(ends) < 4000
     theta = np.linspace(0, np.pi, 5002)[1:-1]
     walls = np.stack(stability_boundary(theta, gamma, delta, delay), axis=-1)
     if delay in (0, 2):
         n1, n0, a, e = map(float, numbers(gamma, delta))
         alpha, line = np.linspace(-1, 8, 1000), (1 + a + e) / (n1 - n0)
         walls = np.vstack([walls, np.stack([alpha, (line - alpha) / 2], axis=-1)])
-    assert len(ends) < 1200
     walls = walls[((walls >= box[0]) & (walls <= box[1])).all(axis=1)]
     assert len(walls) > 1000
     away = shapely.distance(shapely.points(walls), shapely.multilinestrings(list(ends)))
     assert (away < share * np.maximum(delta, np.linalg.norm(walls, axis=1))).all()
+
+
+def test_the_curve_and_the_line_of_a_root_at_minus_one_meet_in_the_end_of_their_chords():
+    """The wall has a double root there: p(-1) = p'(-1) = 0."""
+    n1, n0, a, e = map(float, numbers(0.5, 8.0))
+    bare, *parts = (
+        np.array([np.polyval(p, -1.0), np.polyval(np.polyder(p), -1.0)])
+        for p in ([1, -a, e, 0], [n1, n0, 0], [n1, n0 - n1, -n0])
+    )
+    wall = np.linalg.solve(np.transpose(parts), -bare)
+    ends = chords(Loop(0.5, 8.0, 0.0), (*(wall - 5), *(wall + 5)), 1e-3).reshape(-1, 2)
+    near = ends[np.linalg.norm(ends - wall, axis=1) < 1e-9]
+    assert len(near) == 3
+    assert len(np.unique(near, axis=0)) == 1
 
 
 @pytest.mark.parametrize("angle", [-1.5, -0.5, 0.0, 0.5, 1.0, 1.5, 3.0])
