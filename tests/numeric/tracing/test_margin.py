@@ -96,6 +96,23 @@ def test_just_above_a_finite_margin_the_loop_is_lost():
         assert moduli(*loop, max(margin[i] - step, 0)).max() < 1 + 1e-12
 
 
+def test_newton_finds_the_losses_of_ordinary_loops(monkeypatch):
+    """At -1 and elsewhere, so that no count is bisected; beside eigenvalues."""
+    monkeypatch.setattr("symhaptic.numeric.tracing.margin.MODULE", None)
+    monkeypatch.setattr(losses, "_by_halves", lambda *_: pytest.fail("bisected"))
+    rng = np.random.default_rng(44)
+    gamma, delta = rng.uniform(0.5, 9, 600), rng.uniform(0.05, 1, 600)
+    alpha, beta = rng.uniform(0.1, 3, (2, 600)) * rng.choice([-1, 1], (2, 600))
+    keep = is_stable(alpha, beta, gamma, delta, 0)
+    loops = np.array([alpha, beta, gamma, delta])[:, keep]
+    delays = delay_margin(*loops)
+    short = np.flatnonzero(delays < 4)
+    assert short.size > 100
+    for loop, delay in zip(loops.T[short], delays[short], strict=True):
+        below, above = (moduli(*loop, delay + step).max() for step in (-1e-8, 1e-8))
+        assert below < 1 < above
+
+
 def test_an_infinite_margin_bears_any_delay():
     """A wall weaker than the damped spring at every frequency: at ten random delays to 60."""
     rng = np.random.default_rng(43)
@@ -486,10 +503,12 @@ def test_a_crossing_that_is_known_to_the_last_digit_is_one(loop):
     assert below < 1 < above
 
 
-DECIDED = [  # that once took minutes
+DECIDED = [  # that once took minutes; and what is not decided is right before the loss, or behind
     (9.869594531172535, -4.934797265638365, 9.86960440108937, 2.0488802950799472e-14),
     (-88.82643952195721, 44.41321976101254, 88.82643960980423, 2.5109342757418348e-11),
     (8.882643960594166, -4.441321980343782, 9.869604401163086, 1.9036980063391101e-13),
+    (-20.573780032162635, -34.76198685468527, 88.82643960951222, 6.564562526311357e-13),
+    (52.20275549482502, -36.903750396742495, 88.82643960972239, 1.3724635380209385e-11),
 ]
 UNDECIDED = [
     (-9.869604389753139, -2.772755856245793, 9.869604401100238, 0.0),
