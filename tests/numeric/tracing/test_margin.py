@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from oracle import all_inside, moduli, radius
 
 from symhaptic import delay_margin, is_stable, max_delay, stability_boundary
+from symhaptic.numeric.compiled import MODULE
 from symhaptic.numeric.crossings import crossings, surplus, wall
 from symhaptic.numeric.plant import device
 from symhaptic.numeric.tracing import losses
@@ -42,6 +43,16 @@ def test_the_margin_is_what_may_be_added_to_the_delay(sheet):
         stable = is_stable(*loop, delay, sheet=sheet)
         assert np.all(margin[~stable] == 0)
         assert np.all(np.isnan(margin[stable & ~below]))  # the margin is not computed there
+
+
+def test_without_a_delay_the_compiled_margin_is_as_good(monkeypatch):
+    """And is taken, be the delay of 0 given or not."""
+    walls = np.full(9, 0.01), np.full(9, 0.05), 0.0, 0.0
+    wanted = delay_margin(*walls, 0.0)
+    if MODULE is not None:
+        slow = "symhaptic.numeric.tracing.margin._added"
+        monkeypatch.setattr(slow, lambda *_: pytest.fail("not compiled"))
+    assert delay_margin(*walls).tolist() == delay_margin(*walls, 0.0).tolist() == wanted.tolist()
 
 
 def test_the_delay_plus_the_margin_is_where_an_eigenvalue_leaves_the_circle():

@@ -319,6 +319,19 @@ def test_chords_follow_the_whole_boundary_in_a_box(delay):
     assert (away < share * np.maximum(delta, np.linalg.norm(walls, axis=1))).all()
 
 
+@pytest.mark.parametrize("delay", [0, 3, 0.4])
+def test_a_wall_is_too_large_to_be_stable_by_the_coefficients_that_it_adds(delay):
+    """M ((alpha + beta) z - beta); as large as those of (z + 1)^n and of the device together."""
+    loop = Loop(0.5, 0.3, float(delay))
+    alpha, beta = np.random.default_rng(1).normal(size=(2, 400)) * 10 ** (1 + delay / 3)
+    x, degree = loop.device, int(delay) + 4
+    added = [np.convolve([x.m2, x.m1, x.m0], [a + b, -b]) for a, b in zip(alpha, beta, strict=True)]
+    most = degree * (degree - 1) * (degree - 2) / 6 + 2
+    possible = np.abs(added).max(axis=1) <= most
+    assert 50 < possible.sum() < 350
+    assert loop._possible(alpha, beta).tolist() == possible.tolist()
+
+
 def test_the_curve_and_the_line_of_a_root_at_minus_one_meet_in_the_end_of_their_chords():
     """The wall has a double root there: p(-1) = p'(-1) = 0."""
     n1, n0, a, e = map(float, numbers(0.5, 8.0))
