@@ -437,6 +437,18 @@ def test_after_very_many_periods_a_root_leaves(loop):
     assert below < 1 < above
 
 
+@pytest.mark.parametrize("loop", [LATE[0], TOUCHING[1]])
+def test_of_very_many_times_that_a_root_may_leave_more_are_looked_at_each_time(loop, monkeypatch):
+    """Up to 1e5 periods and farther, where one after the other would take thousands of looks."""
+    looks, looked_at = [], losses._Search._looked_at
+    monkeypatch.setattr("symhaptic.numeric.tracing.margin.MODULE", None)
+    monkeypatch.setattr(
+        losses._Search, "_looked_at", lambda *given: looks.append(given) or looked_at(*given)
+    )
+    assert delay_margin(*loop) > 1e5
+    assert len(looks) < 40
+
+
 def test_long_work_is_told_on_a_terminal_only(capsys, monkeypatch):
     walls = np.full(40000, 9.0, dtype=np.float32)
     delay_margin(walls, 0.05, 0.0, 0.0)
