@@ -76,6 +76,14 @@ def test_what_cannot_be_is_refused(call, said):
         call()
 
 
+def test_so_many_digits_and_no_more():
+    third = symhaptic.linear_limit(0.5, 0.0, 1.0, digits=100_000)
+    assert third.rad() < arb(10) ** -100_000
+    assert third.overlaps(arb(1) / 3)
+    with pytest.raises(ValueError, match=r"^digits: 100001 is not allowed; give .* to 100000$"):
+        symhaptic.linear_limit(0.5, 0.0, 1.0, digits=100_001)
+
+
 def test_digits_that_are_not_reached_are_told(monkeypatch):
     monkeypatch.setattr(digits, "_TRIES", 0)
     with pytest.raises(ArithmeticError, match="20 digits of passivity_margin are not reached at"):

@@ -561,6 +561,21 @@ def test_what_is_not_decided_is_a_lower_bound_and_warned_of(loop):
         assert all_inside(*loop, share * margin)
 
 
+def test_a_loss_right_behind_what_is_not_decided_is_no_bound(monkeypatch):
+    """Without any direction parts are cut to the shortest, from which on the count is bisected."""
+    monkeypatch.setattr("symhaptic.numeric.tracing.margin.MODULE", None)
+    monkeypatch.setattr(
+        losses, "one_way", lambda bands, steps: (np.zeros_like(steps), np.zeros_like(steps))
+    )
+    for loop in ((0.01, 0.05, 0.0, 0.0), (0.05, 0.1, 0.3, 0.05)):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            delay = float(delay_margin(*loop))
+        assert delay > 1
+        below, above = (moduli(*loop, delay + step).max() for step in (-1e-9, 1e-9))
+        assert below < 1 < above
+
+
 def test_a_bound_is_warned_of_once_and_the_others_keep_their_values():
     walls = np.array([UNDECIDED[1], (0.01, 0.05, 0.0, 0.0), UNDECIDED[2]]).T
     with pytest.warns(RuntimeWarning, match="2 of 3 values") as told:
