@@ -62,23 +62,24 @@ def test_between_the_crossings_the_leader_stays_and_at_each_it_changes(part):
 def next_to_points(rng, count):
     """Weak walls of hardly damped devices that creep, swing and turn by half in a period.
 
-    And walls of well damped devices next to a root at -1.
+    And large walls next to a root at 1, and next to one at -1.
     """
-    kind, sign = rng.integers(0, 4, count), rng.choice([-1, 1], count)
+    kind, sign = rng.integers(0, 5, count), rng.choice([-1, 1], count)
     turn = np.pi * (1 + sign * 10 ** rng.uniform(-6, -4, count))
     free = rng.uniform(0.5, 9, count)
-    gamma = np.choose(kind, [np.zeros(count), free, turn**2, free])
-    delta = np.where(kind == 3, rng.uniform(0.1, 2, count), rng.choice([0.0, 1e-9, 1e-7], count))
-    alpha, beta = rng.normal(size=(2, count)) * np.where(kind == 3, 1, 1e-7)
+    gamma = np.choose(kind, [np.zeros(count), free, turn**2, free, free])
+    delta = np.where(kind < 3, rng.choice([0.0, 1e-9, 1e-7], count), rng.uniform(0.1, 2, count))
+    alpha, beta = rng.normal(size=(2, count)) * np.where(kind < 3, 1e-7, 1e5)
+    alpha = np.where(kind == 3, -gamma * (1 + sign * 1e-4), alpha)
     x = device(gamma, delta)
     with np.errstate(divide="ignore"):
         line = sign * x.at_minus_one / x.numerator_at_minus_one * (1 + sign * 1e-4)
-    return alpha, np.where(kind == 3, (line - alpha) / 2, beta), gamma, delta
+    return alpha, np.where(kind == 4, (line - alpha) / 2, beta), gamma, delta
 
 
 def test_next_to_each_of_the_three_points_a_crossing_keeps_its_digits():
     """A part in 1e9 of the least distance before it and after it, the other leads, in mpmath."""
-    loops = next_to_points(np.random.default_rng(3), 60)
+    loops = next_to_points(np.random.default_rng(3), 80)
     found = crossings(surplus(device(*loops[2:]), wall(*loops[:2])), True)
     nearest = []
     for i, (alpha, beta, gamma, delta) in enumerate(np.transpose(loops).tolist()):
