@@ -23,7 +23,7 @@ from symhaptic import (
     stable_region,
     unstable_roots,
 )
-from symhaptic.numeric import arguments
+from symhaptic.numeric import arguments, compiled
 
 FUNCTIONS = {
     is_stable: ("alpha", "beta", "gamma", "delta", "delay"),
@@ -145,6 +145,15 @@ def test_any_layout_in_memory():
     assert np.array_equal(thin, expected[::3, ::-2])
     rows = unstable_roots(alpha, beta, np.full((130, 1), 0.3), 0.4, np.full(150, 2))
     assert np.array_equal(rows, expected)
+
+
+def test_what_is_finite_and_what_is_told():
+    for one, is_finite, is_told in (
+        (0.1, True, True), (1.7e308, True, True), (np.inf, False, True), (np.nan, False, False),
+    ):  # fmt: skip
+        for value in (one, np.array([0.1, one, -0.2]), np.array([[-0.1], [-one]])):
+            assert compiled.finite(value) == is_finite
+            assert compiled.told(value) == is_told
 
 
 def test_numbers_give_numbers():

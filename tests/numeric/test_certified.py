@@ -134,6 +134,12 @@ def test_a_margin_of_zero_is_passive_where_it_is_known():
     assert not is_passive(np.nextafter(2, 3), 0.0, 1.0, 0)
 
 
+def test_a_margin_as_small_as_a_last_place_of_balls_has_its_sign():
+    """By (5) alpha = 1 needs 3/2 one period late: 1/2 + cos(theta) is largest at theta = 0."""
+    for tiny in (2.0**-100, 2.0**-150, 2.0**-400):
+        assert is_passive([1.0, 1.0], [tiny, -tiny], 1.5, 1).tolist() == [True, False]
+
+
 def test_a_scene_is_judged_by_its_decimals():
     """No number is rounded: 0.1 kg is a tenth."""
     scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)

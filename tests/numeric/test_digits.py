@@ -42,8 +42,15 @@ def test_arrays_broadcast_to_arrays_of_balls():
     assert symhaptic.linear_limit([], 0.1, 0, digits=20).shape == (0,)
 
 
-def test_nan_is_nan_and_the_pulling_wall_has_no_margin():
-    assert symhaptic.discretize(np.nan, 0.1, digits=20)[0].is_nan()
+@pytest.mark.parametrize(("name", "given"), CALLS, ids=[name for name, _ in CALLS])
+def test_nan_is_nan_in_every_result(name, given):
+    function = getattr(symhaptic, name)
+    found = listed(function(np.nan, *given[1:], digits=20))
+    assert len(found) == len(listed(function(*given)))
+    assert all(ball.is_nan() for ball in found)
+
+
+def test_the_pulling_wall_has_no_margin():
     assert symhaptic.passivity_margin(-1.0, 0.0, 1.0, 0, digits=20) == arb("-inf")
 
 
@@ -67,6 +74,14 @@ def test_a_ball_without_end_is_no_answer_while_more_bits_may_give_one(monkeypatc
 def test_what_cannot_be_is_refused(call, said):
     with pytest.raises(ValueError, match=said):
         call()
+
+
+def test_so_many_digits_and_no_more():
+    third = symhaptic.linear_limit(0.5, 0.0, 1.0, digits=100_000)
+    assert third.rad() < arb(10) ** -100_000
+    assert third.overlaps(arb(1) / 3)
+    with pytest.raises(ValueError, match=r"^digits: 100001 is not allowed; give .* to 100000$"):
+        symhaptic.linear_limit(0.5, 0.0, 1.0, digits=100_001)
 
 
 def test_digits_that_are_not_reached_are_told(monkeypatch):

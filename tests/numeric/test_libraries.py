@@ -71,6 +71,8 @@ def test_what_stays_single_and_what_does_not():
     assert symhaptic.discretize([1, 2], 0)[0].dtype == np.float64
     assert symhaptic.passivity_margin(one, 0.0, 1.0, 0.5).dtype == np.float32
     assert symhaptic.is_stable(one, 0.1, 0.1, 0.1, 1).dtype == np.bool_
+    assert symhaptic.max_stable_stiffness(one, 0.3, 1).alpha.dtype == np.float32
+    assert symhaptic.delay_margin(one, 0.4, 0.0, 0.1).dtype == np.float32
 
 
 def test_mapped_searches_broadcast_their_arguments():

@@ -84,6 +84,21 @@ def test_principal_sheet_beside_the_roots_in_the_cut_plane():
     assert compared > 75
 
 
+@pytest.mark.parametrize("delay", [1.0, 1.5])
+@pytest.mark.parametrize("sheet", ["exact", "principal"])
+def test_of_nan_no_count_is_known_and_of_nothing_it_is(delay, sheet):
+    """Without any stiffness and damping a free mass stays: a double root at 1 is on the circle."""
+    loop = [0.5, 0.1, 0.3, 0.2, delay]
+    for at in range(5):
+        wrong = [np.nan if i == at else v for i, v in enumerate(loop)]
+        assert unstable_roots(*wrong, sheet=sheet) == -1
+        assert not is_stable(*wrong, sheet=sheet)
+    spring = 0.5, 0.0, 0.0, 0.2
+    outside = np.sum(principal(*spring, Fraction(delay)) > 1)
+    assert unstable_roots(*spring, delay, sheet="principal") == outside > 0
+    assert unstable_roots(0.0, 0.0, 0.0, 0.2, delay, sheet=sheet) <= 0
+
+
 @pytest.mark.parametrize(
     "wall", [(-0.2, -3.4, 9.5, 2.1), (0.3, -1.8, 8.8, 0.35), (-0.03, -0.18, 9.65, 0.05)]
 )

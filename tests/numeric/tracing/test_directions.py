@@ -62,6 +62,19 @@ def test_a_direction_holds_in_every_corner_and_is_said_where_all_are_clear(error
     assert said < 5 * COUNT or error < 0.01
 
 
+def test_a_direction_holds_as_long_as_it_is_said_and_hardly_ever_a_period_longer():
+    longer = []
+    for seed in range(60):
+        bands = random_bands(np.random.default_rng(seed), 0.03)
+        way, until = directions.one_way(bands, np.full(COUNT, 20.0))
+        some = (way != 0) & np.isfinite(until)
+        last, more = (directions.one_way(bands, until + step)[0][some] for step in (0, 1))
+        assert last.tolist() == way[some].tolist()
+        longer += list(more != 0)
+    assert len(longer) > 20
+    assert np.mean(longer) < 0.3
+
+
 def test_the_boxes_are_around_the_numbers_that_the_roots_move_with(monkeypatch):
     """M/z and W at z = exp(j theta), by their coefficients, and their slopes by ln z."""
     rng, boxes, made = np.random.default_rng(8), [], directions._box

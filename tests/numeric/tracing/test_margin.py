@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from oracle import all_inside, moduli, radius
 
 from symhaptic import delay_margin, is_stable, max_delay, stability_boundary
+from symhaptic.numeric.compiled import MODULE
 from symhaptic.numeric.crossings import crossings, surplus, wall
 from symhaptic.numeric.plant import device
 from symhaptic.numeric.tracing import losses
@@ -42,6 +43,16 @@ def test_the_margin_is_what_may_be_added_to_the_delay(sheet):
         stable = is_stable(*loop, delay, sheet=sheet)
         assert np.all(margin[~stable] == 0)
         assert np.all(np.isnan(margin[stable & ~below]))  # the margin is not computed there
+
+
+def test_without_a_delay_the_compiled_margin_is_as_good(monkeypatch):
+    """And is taken, be the delay of 0 given or not."""
+    walls = np.full(9, 0.01), np.full(9, 0.05), 0.0, 0.0
+    wanted = delay_margin(*walls, 0.0)
+    if MODULE is not None:
+        slow = "symhaptic.numeric.tracing.margin._added"
+        monkeypatch.setattr(slow, lambda *_: pytest.fail("not compiled"))
+    assert delay_margin(*walls).tolist() == delay_margin(*walls, 0.0).tolist() == wanted.tolist()
 
 
 def test_the_delay_plus_the_margin_is_where_an_eigenvalue_leaves_the_circle():
@@ -94,6 +105,29 @@ def test_just_above_a_finite_margin_the_loop_is_lost():
         loop, step = [float(v[i]) for v in case], 1e-5 * (1 + margin[i])
         assert moduli(*loop, margin[i] + step).max() > 1 - 1e-12
         assert moduli(*loop, max(margin[i] - step, 0)).max() < 1 + 1e-12
+
+
+def searched(alpha, beta, gamma, delta):
+    """The first losses of loops that are stable without delay, without compiled kernels."""
+    loops = Loops(wall(alpha, beta), gamma, delta, device(gamma, delta))
+    return losses.first_loss(loops, _first_lost(loops))
+
+
+def test_newton_finds_the_losses_of_ordinary_loops(monkeypatch):
+    """At -1 and elsewhere, so that no count is bisected; beside eigenvalues."""
+    monkeypatch.setattr(losses, "_by_halves", lambda *_: pytest.fail("bisected"))
+    rng = np.random.default_rng(44)
+    gamma, delta = rng.uniform(0.5, 9, 600), rng.uniform(0.05, 1, 600)
+    alpha, beta = rng.uniform(0.1, 3, (2, 600)) * rng.choice([-1, 1], (2, 600))
+    keep = is_stable(alpha, beta, gamma, delta, 0)
+    loops = np.array([alpha, beta, gamma, delta])[:, keep]
+    delays, bound = searched(*loops)
+    assert not bound.any()
+    short = np.flatnonzero(delays < 4)
+    assert short.size > 100
+    for loop, delay in zip(loops.T[short], delays[short], strict=True):
+        below, above = (moduli(*loop, delay + step).max() for step in (-1e-8, 1e-8))
+        assert below < 1 < above
 
 
 def test_an_infinite_margin_bears_any_delay():
@@ -409,6 +443,17 @@ def test_after_very_many_periods_a_root_leaves(loop):
     assert below < 1 < above
 
 
+@pytest.mark.parametrize("loop", [LATE[0], TOUCHING[1]])
+def test_of_very_many_times_that_a_root_may_leave_more_are_looked_at_each_time(loop, monkeypatch):
+    """Up to 1e5 periods and farther, where one after the other would take thousands of looks."""
+    looks, looked_at = [], losses._Search._looked_at
+    monkeypatch.setattr(
+        losses._Search, "_looked_at", lambda *given: looks.append(given) or looked_at(*given)
+    )
+    assert searched(*np.array([loop]).T)[0] > 1e5
+    assert len(looks) < 40
+
+
 def test_long_work_is_told_on_a_terminal_only(capsys, monkeypatch):
     walls = np.full(40000, 9.0, dtype=np.float32)
     delay_margin(walls, 0.05, 0.0, 0.0)
@@ -486,10 +531,12 @@ def test_a_crossing_that_is_known_to_the_last_digit_is_one(loop):
     assert below < 1 < above
 
 
-DECIDED = [  # that once took minutes
+DECIDED = [  # that once took minutes; and what is not decided is right before the loss, or behind
     (9.869594531172535, -4.934797265638365, 9.86960440108937, 2.0488802950799472e-14),
     (-88.82643952195721, 44.41321976101254, 88.82643960980423, 2.5109342757418348e-11),
     (8.882643960594166, -4.441321980343782, 9.869604401163086, 1.9036980063391101e-13),
+    (-20.573780032162635, -34.76198685468527, 88.82643960951222, 6.564562526311357e-13),
+    (52.20275549482502, -36.903750396742495, 88.82643960972239, 1.3724635380209385e-11),
 ]
 UNDECIDED = [
     (-9.869604389753139, -2.772755856245793, 9.869604401100238, 0.0),
@@ -517,6 +564,18 @@ def test_what_is_not_decided_is_a_lower_bound_and_warned_of(loop):
         margin = float(delay_margin(*loop))
     for share in (0.0, 0.1, 0.5, 0.9, 0.999):
         assert all_inside(*loop, share * margin)
+
+
+def test_a_loss_right_behind_what_is_not_decided_is_no_bound(monkeypatch):
+    """Without any direction parts are cut to the shortest, from which on the count is bisected."""
+    monkeypatch.setattr(losses, "one_way", lambda bands, steps: np.zeros((2, *steps.shape)))
+    loops = np.array([(0.01, 0.05, 0.0, 0.0), (0.05, 0.1, 0.3, 0.05)])
+    delays, bound = searched(*loops.T)
+    assert not bound.any()
+    for loop, delay in zip(loops, delays, strict=True):
+        assert delay > 1
+        below, above = (moduli(*loop, delay + step).max() for step in (-1e-9, 1e-9))
+        assert below < 1 < above
 
 
 def test_a_bound_is_warned_of_once_and_the_others_keep_their_values():

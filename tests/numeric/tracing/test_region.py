@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import shapely
 from matplotlib.figure import Figure
-from oracle import certified, coefficients, moduli, radius
+from oracle import certified, coefficients, moduli, numbers, radius
 
 from symhaptic import Scene, robust_region, stability_boundary, stable_region
 from symhaptic.numeric.tracing.arcs import Loop
@@ -143,8 +143,9 @@ def test_area_of_the_free_mass():
         return 2 * mpmath.tan(t / 2) ** 2
 
     area = mpmath.quad(lambda t: alpha(t) * mpmath.diff(beta, t), [0, mpmath.pi / 2])
-    region = stable_region(0.0, 0.0, 0)
-    assert region.area == pytest.approx(float(area), rel=1e-5)
+    region = stable_region(0.0, 0.0, 0, tolerance=2e-9)
+    assert region.area == pytest.approx(float(area), rel=1e-8)
+    assert region.error < 5e-9
 
 
 def test_area_by_counting():
@@ -295,3 +296,65 @@ def test_every_chord_of_the_boundary_ends_at_walls_with_a_root_on_the_circle(del
     assert len(ends) > 20
     for wall in ends:
         assert np.abs(moduli(*wall, 0.5, 0.3, delay) - 1).min() < 1e-6
+
+
+@pytest.mark.parametrize("delay", [0, 1, 2, 2.5])
+def test_chords_follow_the_whole_boundary_in_a_box(delay):
+    """Walls on the curve, and on the line of a root at -1, are as near to a chord as asked for.
+
+    p(-1) = 0 is alpha + 2 beta = (-1)^d (1 + a + e)/(n1 - n0).
+    """
+    gamma, delta, share, box = 0.5, 0.3, 1e-6, np.array([[-1.0, -8.0], [8.0, 60.0]])
+    ends = chords(Loop(gamma, delta, float(delay)), tuple(box.ravel()), share)
+    assert len(ends) < 6000
+    theta = np.linspace(0, np.pi, 5002)[1:-1]
+    walls = np.stack(stability_boundary(theta, gamma, delta, delay), axis=-1)
+    if delay in (0, 2):
+        n1, n0, a, e = map(float, numbers(gamma, delta))
+        alpha, line = np.linspace(-1, 8, 1000), (1 + a + e) / (n1 - n0)
+        walls = np.vstack([walls, np.stack([alpha, (line - alpha) / 2], axis=-1)])
+    walls = walls[((walls >= box[0]) & (walls <= box[1])).all(axis=1)]
+    assert len(walls) > 1000
+    away = shapely.distance(shapely.points(walls), shapely.multilinestrings(list(ends)))
+    assert (away < share * np.maximum(delta, np.linalg.norm(walls, axis=1))).all()
+
+
+@pytest.mark.parametrize("delay", [0, 3, 0.4])
+def test_a_wall_is_too_large_to_be_stable_by_the_coefficients_that_it_adds(delay):
+    """M ((alpha + beta) z - beta); as large as those of (z + 1)^n and of the device together."""
+    loop = Loop(0.5, 0.3, float(delay))
+    alpha, beta = np.random.default_rng(1).normal(size=(2, 400)) * 10 ** (1 + delay / 3)
+    x, degree = loop.device, int(delay) + 4
+    added = [np.convolve([x.m2, x.m1, x.m0], [a + b, -b]) for a, b in zip(alpha, beta, strict=True)]
+    most = degree * (degree - 1) * (degree - 2) / 6 + 2
+    possible = np.abs(added).max(axis=1) <= most
+    assert 50 < possible.sum() < 350
+    assert loop._possible(alpha, beta).tolist() == possible.tolist()
+
+
+def test_the_curve_and_the_line_of_a_root_at_minus_one_meet_in_the_end_of_their_chords():
+    """The wall has a double root there: p(-1) = p'(-1) = 0."""
+    n1, n0, a, e = map(float, numbers(0.5, 8.0))
+    bare, *parts = (
+        np.array([np.polyval(p, -1.0), np.polyval(np.polyder(p), -1.0)])
+        for p in ([1, -a, e, 0], [n1, n0, 0], [n1, n0 - n1, -n0])
+    )
+    wall = np.linalg.solve(np.transpose(parts), -bare)
+    ends = chords(Loop(0.5, 8.0, 0.0), (*(wall - 5), *(wall + 5)), 1e-3)
+    length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    (one, two), curve = ends[length > 2], ends[length < 2].reshape(-1, 2)  # of the line, and others
+    assert one[1] == pytest.approx(wall, rel=1e-9)
+    assert one[1].tolist() == two[0].tolist()
+    assert one[1].tolist() in curve.tolist()
+
+
+@pytest.mark.parametrize("angle", [-1.5, -0.5, 0.0, 0.5, 1.0, 1.5, 3.0])
+def test_the_farthest_wall_of_a_free_mass_in_a_direction(angle):
+    """Stable are those between alpha = 0 and (4 t^2 cos(theta), 2 t^2), where t = tan(theta/2)."""
+    direction = np.cos(angle), np.sin(angle)
+    theta = np.linspace(0, np.pi / 2, 200_001)
+    square = np.tan(theta / 2) ** 2
+    reach = direction @ np.array([4 * square * np.cos(theta), 2 * square])
+    alpha, beta, at = stable_region(0.0, 0.0, 0).farthest(*direction)
+    assert direction @ np.array([alpha, beta]) == pytest.approx(reach.max(), rel=1e-9)
+    assert at == pytest.approx(theta[reach.argmax()], abs=2e-5)

@@ -95,9 +95,12 @@ class Region(Shape):
                 f"alpha: {alpha} with beta={beta} is no direction; give one that is not 0"
             )
         found = farthest(self.loop, np.array([alpha, beta]))
+        left, low, right, high = self.polygon.bounds
+        near = _SAME[0] * np.hypot(right - left, high - low)
         for corner in self.corners:
             if corner @ (alpha, beta) > np.dot((alpha, beta), found[:2]) or np.isnan(found[0]):
-                found = np.array([*corner, np.nan])
+                same = np.linalg.norm(corner - found[:2]) <= near  # but for rounding
+                found = np.array([*corner, found[2] if same else np.nan])
         return Extremum(*(np.asarray(v) for v in found))
 
     def contains(self, alpha: ArrayLike, beta: ArrayLike) -> NDArray[np.bool_]:
