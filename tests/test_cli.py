@@ -295,11 +295,15 @@ def test_bad_input_gives_one_line(case, tmp_path):
     assert (tmp_path / "a_file").read_text() == "kept"
 
 
+PRINTS = "    print('hello')\n    import subprocess\n    subprocess.run(['echo', 'from a program'])"
+
+
 def test_what_a_chapter_prints_stays_out_of_the_listing(tmp_path):
-    path = chapter(tmp_path, GOOD.replace("    page.step(", "    print('hello')\n    page.step("))
+    path = chapter(tmp_path, GOOD.replace("    page.step(", f"{PRINTS}\n    page.step("))
     run = symhaptic("verify", "my-own", "--format", "json", "--derivation", path)
     assert json.loads(run.stdout)["statements"][0]["id"] == "my-own"
     assert "hello" in run.stderr
+    assert "from a program" in run.stderr
 
 
 @pytest.mark.parametrize("name", ["s3_energy.py", "book.py"])

@@ -108,6 +108,24 @@ def test_what_a_chapter_finds_stands_at_its_head():
     assert not none
 
 
+@pytest.mark.parametrize("name", ["s2b_wall", "s3a_undelayed", "s4d_parts_of_the_arm"])
+def test_equations_and_theorems_are_counted_from_one(name):
+    titles = [one.astext() for one in page(chapter(name), Place(1, {})).findall(nodes.rubric)]
+    numbers = [int(re.match(r"(?:Step|Theorem) (\d+)", title)[1]) for title in titles]
+    counted = [b for b in chapter(name).page.blocks if b.kind in ("equation", "theorem")]
+    assert numbers == list(range(1, len(counted) + 1))
+
+
+def test_one_chapter_is_no_chapters():
+    names = {1: "s2a_device", 3: "s3a_undelayed", 4: "s3b_rise"}
+    edges = {2: frozenset({1}), 3: frozenset({2}), 4: frozenset({2, 3})}
+    place = Place(2, {}, names=names, edges=edges)
+    (told,) = of_class(page(chapter("s2b_wall"), place), "source")
+    assert (
+        "Applies theorems of chapter 1. Its theorems are applied in chapters 3, 4." in told.astext()
+    )
+
+
 def of_class(tree, name):
     return [one for one in tree.findall(nodes.container) if name in one["classes"]]
 
