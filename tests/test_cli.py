@@ -11,13 +11,14 @@ from xml.etree import ElementTree
 
 import chapters
 import pytest
+import typer
 from command import symhaptic
 
 from symhaptic.book.chapters import expected_ledger
 from symhaptic.book.listing import replace
 from symhaptic.book.parts import numbers
 from symhaptic.book.report.printed import chapter_tex
-from symhaptic.cli.main import main
+from symhaptic.cli.main import app, main
 from symhaptic.paper import STATEMENTS
 
 ROOT = Path(__file__).parents[1]
@@ -398,6 +399,23 @@ def test_help_and_version():
     assert "verify" in symhaptic("--help").stdout
     assert symhaptic("--version").stdout.startswith("symhaptic ")
     assert started("--version").stdout == symhaptic("--version").stdout
+
+
+def test_a_flag_that_is_not_given_is_off():
+    commands = typer.main.get_command(app).commands
+    flags = [
+        o for command in commands.values() for o in command.params if getattr(o, "is_flag", False)
+    ]
+    assert {option.name for option in flags} >= {"quick", "strict", "check", "standalone"}
+    assert not [option.opts for option in flags if option.default]
+
+
+def test_statements_are_listed_in_columns():
+    from symhaptic.book.listing import names
+
+    some = [{"id": n * "i", "location": m * "l", "says": "s"} for n, m in ((9, 2), (2, 7), (1, 1))]
+    for line, one in zip(names(some, as_json=False).splitlines(), some, strict=True):
+        assert line == f"{one['id'].ljust(9)}  {one['location'].ljust(7)}  s"
 
 
 @pytest.mark.parametrize(

@@ -137,6 +137,17 @@ def test_a_claim_is_for_the_site_and_its_place_for_print(entries, chapters):
     assert {one.get("only") for one in claims} == {"site"}
 
 
+def test_of_what_needs_a_condition_the_table_says_for_which(entries, chapters):
+    table = next(iter(errata(entries, chapters).findall(nodes.table)))
+    rows = [[cell.astext() for cell in row] for row in table.findall(nodes.row)][1:]
+    statements = {e.statement.id: e.verdict for e in entries}
+    assert {kind for _, _, kind, *_ in rows} >= {Kind.QUALIFIED, Kind.REFUTED}
+    for id, _, kind, right, _ in rows:
+        assert kind == statements[id].kind
+        assert right.startswith("for ") == (kind == Kind.QUALIFIED)
+        assert len(right) > 4
+
+
 @whole
 def test_the_gravest_stand_first_and_nothing_is_left_over(entries):
     titles = [title for title, _ in by_importance(entries)]
