@@ -418,6 +418,11 @@ def test_statements_are_listed_in_columns():
         assert line == f"{one['id'].ljust(9)}  {one['location'].ljust(7)}  s"
 
 
+def test_of_named_statements_these_alone_are_listed():
+    told = symhaptic("verify", "--list", "eq8", "eq1").stdout
+    assert [line.split()[0] for line in told.splitlines()] == ["eq8", "eq1"]
+
+
 @pytest.mark.parametrize(
     "arguments",
     [

@@ -72,6 +72,27 @@ def test_rules_are_named_beside_what_rests_on_them():
     assert r"\formal" not in text  # each of its theorems stands in formulas
 
 
+def groups(tex):
+    """What stands between outer braces."""
+    found, depth, begin = [], 0, 0
+    for at, sign in enumerate(tex):
+        depth += (sign == "{") - (sign == "}")
+        if sign == "{" and depth == 1:
+            begin = at + 1
+        elif sign == "}" and depth == 0:
+            found.append(tex[begin:at])
+    return found
+
+
+def test_what_shows_a_statement_stands_beside_it_where_it_is_short():
+    text = chapter_tex(chapter("s3c_stiffness_maximum"), 26)
+    forms = [groups(line) for line in text.splitlines() if line.startswith(r"\form{")]
+    beside = {place: verdict for place, _, verdict, *_ in forms}
+    (silver,) = (said for said in beside.values() if "rounded down" in said)
+    assert r"\kind{enclosed}{enclosed}: $0.414213562373" in silver  # the square root of 2, less 1
+    assert not any("rounded" in body for _, body, *_ in forms)
+
+
 def test_no_row_of_the_printed_forms_stands_alone():
     text = chapter_tex(chapter("s3c_stiffness_maximum"), 26)
     _, *rows = text.partition(r"\formsend")[0].split("\n\\form{")
