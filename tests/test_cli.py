@@ -418,6 +418,23 @@ def test_statements_are_listed_in_columns():
         assert line == f"{one['id'].ljust(9)}  {one['location'].ljust(7)}  s"
 
 
+def test_beside_a_verdict_stands_its_number_or_its_condition_or_what_refutes_it():
+    from symhaptic.book import ledger, listing
+
+    for name in ("s3c_stiffness_maximum", "s8c_four_masses"):
+        entries = ledger.of_chapter(chapters.chapter(name))
+        lines = listing.text(entries, [], strict=False).splitlines()
+        found = [line.split(maxsplit=1)[1] for line in lines[: len(entries)]]
+        for entry, line in zip(entries, found, strict=True):
+            kind, *rest = line.split(maxsplit=1)
+            verdict = entry.verdict
+            at = ", ".join(f"{k} = {v}" for k, v in (verdict.counterexample or {}).items())
+            told = f"at {at}" if at and kind == "refuted" else verdict.value or verdict.condition
+            assert kind == verdict.kind
+            assert rest == [f"{told or ''}  [{entry.derivation}]".strip()]
+        assert lines[len(entries)].startswith(f"{len(entries)} statements: ")
+
+
 def test_of_named_statements_these_alone_are_listed():
     told = symhaptic("verify", "--list", "eq8", "eq1").stdout
     assert [line.split()[0] for line in told.splitlines()] == ["eq8", "eq1"]
