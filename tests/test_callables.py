@@ -23,6 +23,7 @@ from symhaptic.export import request
 from symhaptic.forms import stable
 from symhaptic.model.parts import Parts
 from symhaptic.numeric.arguments import IN_ORDER
+from symhaptic.scene.callables import _of_passive_stiffness
 
 HARD = [0.0, 1e-300, 1e-16, 1e-12, 1e-8, 1e-4, 1.0, 10.0, 700.0]
 NAMES = ["discretize", "stability_boundary", "passivity_margin_at", "passivity_boundary",
@@ -268,6 +269,16 @@ def test_slopes_of_faint_walls_are_those_of_larger_ones(beta, delay):
             warnings.simplefilter("error")
             _, *slopes = function(size, size * beta, 0.0, delay)
         assert np.allclose(slopes, [by_alpha, by_beta, size * by_d], rtol=1e-13, atol=0)
+
+
+def test_the_slope_of_the_stiffest_passive_wall_over_the_delay():
+    """What JAX is told, beside a central difference; without delay every angle is a worst one."""
+    stiffest = lambdify("max_passive_stiffness")
+    delay = np.array([0.5, 1.5, 0.0])
+    slope = _of_passive_stiffness(stable.form("max_passive_stiffness"), np.array(0.1), delay)
+    more, less = (stiffest(0.1, delay[:2] + h)[0] for h in (1e-5, -1e-5))
+    assert slope["alpha", "d"][:2] == pytest.approx((more - less) / 2e-5, rel=1e-6)
+    assert np.isnan(slope["alpha", "d"][2])
 
 
 # -- formulas in SI units, by number --------------------------------------------------------

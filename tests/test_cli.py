@@ -11,13 +11,14 @@ from xml.etree import ElementTree
 
 import chapters
 import pytest
+import typer
 from command import symhaptic
 
 from symhaptic.book.chapters import expected_ledger
 from symhaptic.book.listing import replace
 from symhaptic.book.parts import numbers
 from symhaptic.book.report.printed import chapter_tex
-from symhaptic.cli.main import main
+from symhaptic.cli.main import app, main
 from symhaptic.paper import STATEMENTS
 
 ROOT = Path(__file__).parents[1]
@@ -295,11 +296,15 @@ def test_bad_input_gives_one_line(case, tmp_path):
     assert (tmp_path / "a_file").read_text() == "kept"
 
 
+PRINTS = "    print('hello')\n    import subprocess\n    subprocess.run(['echo', 'from a program'])"
+
+
 def test_what_a_chapter_prints_stays_out_of_the_listing(tmp_path):
-    path = chapter(tmp_path, GOOD.replace("    page.step(", "    print('hello')\n    page.step("))
+    path = chapter(tmp_path, GOOD.replace("    page.step(", f"{PRINTS}\n    page.step("))
     run = symhaptic("verify", "my-own", "--format", "json", "--derivation", path)
     assert json.loads(run.stdout)["statements"][0]["id"] == "my-own"
     assert "hello" in run.stderr
+    assert "from a program" in run.stderr
 
 
 @pytest.mark.parametrize("name", ["s3_energy.py", "book.py"])
@@ -394,6 +399,45 @@ def test_help_and_version():
     assert "verify" in symhaptic("--help").stdout
     assert symhaptic("--version").stdout.startswith("symhaptic ")
     assert started("--version").stdout == symhaptic("--version").stdout
+
+
+def test_a_flag_that_is_not_given_is_off():
+    commands = typer.main.get_command(app).commands
+    flags = [
+        o for command in commands.values() for o in command.params if getattr(o, "is_flag", False)
+    ]
+    assert {option.name for option in flags} >= {"quick", "strict", "check", "standalone"}
+    assert not [option.opts for option in flags if option.default]
+
+
+def test_statements_are_listed_in_columns():
+    from symhaptic.book.listing import names
+
+    some = [{"id": n * "i", "location": m * "l", "says": "s"} for n, m in ((9, 2), (2, 7), (1, 1))]
+    for line, one in zip(names(some, as_json=False).splitlines(), some, strict=True):
+        assert line == f"{one['id'].ljust(9)}  {one['location'].ljust(7)}  s"
+
+
+def test_beside_a_verdict_stands_its_number_or_its_condition_or_what_refutes_it():
+    from symhaptic.book import ledger, listing
+
+    for name in ("s3c_stiffness_maximum", "s8c_four_masses"):
+        entries = ledger.of_chapter(chapters.chapter(name))
+        lines = listing.text(entries, [], strict=False).splitlines()
+        found = [line.split(maxsplit=1)[1] for line in lines[: len(entries)]]
+        for entry, line in zip(entries, found, strict=True):
+            kind, *rest = line.split(maxsplit=1)
+            verdict = entry.verdict
+            at = ", ".join(f"{k} = {v}" for k, v in (verdict.counterexample or {}).items())
+            told = f"at {at}" if at and kind == "refuted" else verdict.value or verdict.condition
+            assert kind == verdict.kind
+            assert rest == [f"{told or ''}  [{entry.derivation}]".strip()]
+        assert lines[len(entries)].startswith(f"{len(entries)} statements: ")
+
+
+def test_of_named_statements_these_alone_are_listed():
+    told = symhaptic("verify", "--list", "eq8", "eq1").stdout
+    assert [line.split()[0] for line in told.splitlines()] == ["eq8", "eq1"]
 
 
 @pytest.mark.parametrize(

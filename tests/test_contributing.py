@@ -50,8 +50,11 @@ def test_its_steps_show_something(tmp_path):
 def test_a_wrong_step_in_it_is_named(tmp_path):
     path = tmp_path / "drift.py"
     path.write_text(EXAMPLE.replace("-force, name", "-2 * force, name"), encoding="utf-8")
-    with pytest.raises(BadChapter, match="It obeys Newton's law"):
+    with pytest.raises(BadChapter, match="It obeys Newton's law") as wrong:
         run(path)
+    lines = path.read_text(encoding="utf-8").splitlines()
+    assert "page.step(" in lines[wrong.value.line - 1]
+    assert str(wrong.value).startswith(f"{path}:{wrong.value.line}: ")
 
 
 @pytest.mark.slow

@@ -108,6 +108,24 @@ def test_what_a_chapter_finds_stands_at_its_head():
     assert not none
 
 
+@pytest.mark.parametrize("name", ["s2b_wall", "s3a_undelayed", "s4d_parts_of_the_arm"])
+def test_equations_and_theorems_are_counted_from_one(name):
+    titles = [one.astext() for one in page(chapter(name), Place(1, {})).findall(nodes.rubric)]
+    numbers = [int(re.match(r"(?:Step|Theorem) (\d+)", title)[1]) for title in titles]
+    counted = [b for b in chapter(name).page.blocks if b.kind in ("equation", "theorem")]
+    assert numbers == list(range(1, len(counted) + 1))
+
+
+def test_one_chapter_is_no_chapters():
+    names = {1: "s2a_device", 3: "s3a_undelayed", 4: "s3b_rise"}
+    edges = {2: frozenset({1}), 3: frozenset({2}), 4: frozenset({2, 3})}
+    place = Place(2, {}, names=names, edges=edges)
+    (told,) = of_class(page(chapter("s2b_wall"), place), "source")
+    assert (
+        "Applies theorems of chapter 1. Its theorems are applied in chapters 3, 4." in told.astext()
+    )
+
+
 def of_class(tree, name):
     return [one for one in tree.findall(nodes.container) if name in one["classes"]]
 
@@ -117,6 +135,17 @@ def test_a_claim_is_for_the_site_and_its_place_for_print(entries, chapters):
     claims = [one for one in page.findall(nodes.container) if "claim" in one["classes"]]
     assert claims
     assert {one.get("only") for one in claims} == {"site"}
+
+
+def test_of_what_needs_a_condition_the_table_says_for_which(entries, chapters):
+    table = next(iter(errata(entries, chapters).findall(nodes.table)))
+    rows = [[cell.astext() for cell in row] for row in table.findall(nodes.row)][1:]
+    statements = {e.statement.id: e.verdict for e in entries}
+    assert {kind for _, _, kind, *_ in rows} >= {Kind.QUALIFIED, Kind.REFUTED}
+    for id, _, kind, right, _ in rows:
+        assert kind == statements[id].kind
+        assert right.startswith("for ") == (kind == Kind.QUALIFIED)
+        assert len(right) > 4
 
 
 @whole

@@ -1,6 +1,7 @@
 """What Rocq has checked is told beside the verdict, in print and on the site, and in the ledger."""
 
 import json
+from dataclasses import replace
 
 import pytest
 import sympy as sp
@@ -76,6 +77,17 @@ def test_the_printed_ledger_lists_why_others_are_not_whole(recorded):
     assert "has checked these statements: 1 whole, 1 with steps open" in text
     assert r"\heading{Why Rocq has not checked the others whole}" in text
     assert r"coqc: x\_1 \& \{y\}\^{}2 \textasciitilde{} \textbackslash{}z" in text
+
+
+def test_the_reasons_that_hold_back_most_statements_stand_first(recorded):
+    first, *_ = ledger.of_chapter(chapter(NAME))
+    entries = [
+        replace(first, rocq=foreign.Checked(foreign.LEAVES, f"1 step open: {reason}"))
+        for reason in ("rare", "usual", "usual")
+    ]
+    said = pages.ledger(entries, {}).astext()
+    said = said[said.index("Why Rocq") :]
+    assert 0 < said.index("usual") < said.index("rare")
 
 
 def test_the_ledger_of_verify_tells_it(recorded):

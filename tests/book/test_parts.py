@@ -52,16 +52,52 @@ def test_a_theorem_rests_on_those_of_its_page_and_not_on_what_is_behind_them():
     assert said(tip.theorem) in shown
 
 
+def test_what_a_theorem_rests_on_is_all_that_its_premises_apply():
+    """Of theorems with common premises, of which the walk meets some twice."""
+    page = chapter("s5a_passive_is_stable").page
+    theorems = [block.theorem for block in page.blocks if block.theorem is not None]
+    names, seen, stack = set(), {}, [*theorems]
+    while stack:
+        one = stack.pop()
+        names.add(one.given[0] if one.rule == "known" else one.rule)
+        stack += [] if id(one) in seen else one.premises
+        seen[id(one)] = one
+    assert rests(theorems, {}).rules == tuple(name for name in classical() if name in names)
+    assert rests([*theorems, *theorems], {}) == rests(theorems, {})
+
+
 def test_rules_are_named_beside_what_rests_on_them():
     text = chapter_tex(chapter("s5a_passive_is_stable"), 69)
     assert r"\byrule{roots-stay}{continuity of roots}" in text
     assert r"\formal" not in text  # each of its theorems stands in formulas
 
 
+def groups(tex):
+    """What stands between outer braces."""
+    found, depth, begin = [], 0, 0
+    for at, sign in enumerate(tex):
+        depth += (sign == "{") - (sign == "}")
+        if sign == "{" and depth == 1:
+            begin = at + 1
+        elif sign == "}" and depth == 0:
+            found.append(tex[begin:at])
+    return found
+
+
+def test_what_shows_a_statement_stands_beside_it_where_it_is_short():
+    text = chapter_tex(chapter("s3c_stiffness_maximum"), 26)
+    forms = [groups(line) for line in text.splitlines() if line.startswith(r"\form{")]
+    beside = {place: verdict for place, _, verdict, *_ in forms}
+    (silver,) = (said for said in beside.values() if "rounded down" in said)
+    assert r"\kind{enclosed}{enclosed}: $0.414213562373" in silver  # the square root of 2, less 1
+    assert not any("rounded" in body for _, body, *_ in forms)
+
+
 def test_no_row_of_the_printed_forms_stands_alone():
     text = chapter_tex(chapter("s3c_stiffness_maximum"), 26)
     _, *rows = text.partition(r"\formsend")[0].split("\n\\form{")
     assert len(rows) > 2
+    assert len({row.removesuffix(r"\together") for row in rows}) == len(rows)
     assert rows[0].endswith(r"\together")
     assert rows[-2].endswith(r"\together")
 

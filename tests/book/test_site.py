@@ -459,6 +459,7 @@ def test_what_a_chapter_mentions_is_a_link_both_ways(some):
     rise, condition = (ALL.index(name) + 1 for name in ("s3b_rise", "s3a_passivity_condition"))
     assert linked(text, f"chapter {rise}") == {"s3b_rise.html#chapter-s3b-rise"}
     assert f"By chapter {condition} a wall is passive" in text
+    assert linked(text, "(7)") == {"s3b_rise.html#statement-eq7"}
     back = (some / "s3b_rise.html").read_text(encoding="utf-8")
     (neighbours,) = re.findall(r'<div class="source.*?</div>', back, re.DOTALL)
     assert "s3c_stiffness_maximum.html" in neighbours

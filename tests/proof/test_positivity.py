@@ -1,14 +1,17 @@
 """Certificates are searched for, kept in a file and read from it; the kernel believes none."""
 
 import json
+import runpy
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 import sympy as sp
 from scipy import optimize
 from sympy import Eq, cos, pi, sin
 
+from symhaptic.book import certificates, chapters, lemmas
 from symhaptic.book.certificates import FILE
 from symhaptic.book.lemmas import chords
 from symhaptic.notation.proposition import proposition, whole
@@ -168,6 +171,17 @@ def test_a_lemma_of_the_package_needs_no_search(monkeypatch):
     uses = chords.flatter, chords.cosine, chords.sine_of_larger, chords.falls
     made = chords.HERE.lemma(chords.width().conclusion, *uses)
     assert made().hypotheses == chords.width().hypotheses
+
+
+def test_the_file_is_written_by_the_command_and_not_by_an_import(tmp_path, monkeypatch):
+    monkeypatch.setattr(lemmas, "__path__", [str(tmp_path)])
+    monkeypatch.setattr(chapters, "shipped", lambda: [])
+    monkeypatch.setitem(positivity.USED, "asked", [1])
+    source = Path(certificates.__file__)
+    runpy.run_path(str(source))
+    assert not list(tmp_path.iterdir())
+    runpy.run_path(str(source), run_name="__main__")
+    assert json.loads((tmp_path / FILE.name).read_text()) == {"asked": [1]}
 
 
 @pytest.mark.slow  # a stale entry costs a search, and proves nothing

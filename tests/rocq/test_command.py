@@ -12,7 +12,7 @@ from command import symhaptic
 from symhaptic.book import foreign, parallel
 from symhaptic.cli.rocq import judged, told_of
 from symhaptic.rocq import compiled, together
-from symhaptic.rocq.outcome import longest_first
+from symhaptic.rocq.outcome import Outcome, longest_first
 
 
 def test_without_a_compiler_the_files_are_written_and_it_says_what_to_install(tmp_path):
@@ -56,6 +56,18 @@ def test_the_record_is_asked_for_as_json_and_never_as_junit(tmp_path):
     refused = symhaptic("verify", "--rocq", tmp_path, "eq2", "--format", "junit")
     assert refused.returncode == 2
     assert "--format junit" in refused.stderr
+
+
+def test_each_statement_has_a_line_and_each_kind_its_count():
+    said = {
+        "one": "whole", "two": "whole", "three": "2 steps open: the rule gains",
+        "four": "1 steps open: the rule gains", "five": "not printed: it is settled by hand",
+    }  # fmt: skip
+    told = told_of([Outcome("mine", statements=said)], []).splitlines()
+    assert told[:3] == ["one: whole", "two: whole", "three: 2 steps open: the rule gains"]
+    assert told[4] == "five: not printed: it is settled by hand"
+    assert told[5] == "1 not printed, 2 whole, 2 with steps open"
+    assert told_of([Outcome("mine", statements=said)], ["two"]).startswith("two: whole\n1 whole\n")
 
 
 @pytest.mark.parametrize(("given", "used"), [(None, 2), (1, 1), (5, 5)])

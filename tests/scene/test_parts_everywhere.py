@@ -54,6 +54,12 @@ def test_a_region_without_passive_walls_is_empty():
         assert not scene.passive_region().outline
 
 
+def test_numbers_of_any_dynamics_count_in_units_of_a_mass_of_1_kg():
+    """K = alpha m/T^2 and B = beta m/T with m = 1 kg and T = 1 ms."""
+    found = NOT_TOLD["dynamics"].limit(0.5, 0.25, math.pi)
+    assert found == pytest.approx((5e5, 250.0, 500.0))
+
+
 def test_a_simulator_has_no_windows_of_the_delay():
     with pytest.raises(ValueError, match=r"^integrator: 'explicit Euler' has no wind"):
         NOT_TOLD["simulator"].stable_delays(1.0, 0.0, up_to=0.01)

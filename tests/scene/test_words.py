@@ -4,6 +4,9 @@ import numpy as np
 import pytest
 
 from symhaptic import Arm, Encoder, Lag, LowPass, Measured, Scene
+from symhaptic.scene.chart import draw_chart
+from symhaptic.scene.picture import STABLE, draw
+from symhaptic.scene.walls import passive_region
 
 SCENE = {"mass": 0.1, "damping": 2.0, "stiffness": 50.0, "sampling_period": 1e-3, "delay": 1.5e-3}
 
@@ -59,6 +62,15 @@ def test_the_passive_region_holds_passive_walls_and_hardly_leaves_one_out(period
         assert scene.is_passive(*some.T).any() == good
     assert region.max_stiffness == scene.max_passive_stiffness()
     assert not Scene(mass=0.1, sampling_period=1e-3).passive_region().outline
+
+
+def test_corners_of_the_passive_region_with_a_filter_are_on_its_border():
+    scene = Scene(mass=0.1, damping=2.0, sampling_period=1e-3, velocity=LowPass(cutoff=50))
+    (outline,) = passive_region(scene, corners=8).outline
+    stiff = outline[:-1][outline[:-1, 0] > 0]
+    assert len(stiff) > 4
+    assert scene.is_passive(*(0.999 * stiff).T).all()
+    assert not scene.is_passive(1.001 * stiff[:, 0], stiff[:, 1]).any()
 
 
 def test_words_have_units_and_agree_with_the_limits():
@@ -117,6 +129,26 @@ def test_a_picture_has_units_and_a_legend_beside_the_curves(axes, wall):
     for mark in (m for m in marks if m.get_marker() != "None"):
         assert left < mark.get_xdata()[0] < right
         assert bottom < mark.get_ydata()[0] < top
+
+
+@pytest.mark.parametrize("more", [{}, {"velocity": LowPass(cutoff=50)}], ids=str)
+@pytest.mark.parametrize("draw", [draw, draw_chart])
+def test_what_a_picture_shows_as_stable_is_stable(draw, more, axes):
+    """Points all over the picture, of which few may lie within its resolution of the boundary."""
+    from matplotlib.colors import to_rgba
+
+    scene = Scene(**SCENE, **more)
+    draw(axes, scene, (3000.0, 20.0))
+    rng = np.random.default_rng(1)
+    ends = np.array([axes.get_xlim(), axes.get_ylim()])
+    assert (np.array([3000.0, 20.0]) < ends[:, 1]).all()
+    walls = rng.uniform(*ends.T, size=(500, 2))
+    shapes = [path for kind in axes.collections for path in kind.get_paths()]
+    shapes += [one.get_path() for one in axes.patches if one.get_facecolor() == to_rgba(STABLE)]
+    shown = np.any([path.contains_points(walls) for path in shapes if len(path)], axis=0)
+    stable = scene.is_stable(*walls.T)
+    assert 50 < stable.sum() < 450
+    assert (shown == stable).mean() > 0.98
 
 
 def test_a_picture_fits_a_column_with_fonts_that_journals_take(tmp_path):

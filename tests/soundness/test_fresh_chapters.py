@@ -509,6 +509,15 @@ def test_a_false_source_has_no_proof(name, settle):
     assert settle(**SOURCES[name]) not in ("proved", "enclosed", "qualified", "misprint")
 
 
+def test_a_claim_may_suppose_what_the_notation_says_of_a_symbol_and_nothing_else(settle):
+    for symbol, sign, good in (("b", ">=", True), ("K", ">=", False), ("T", ">", True)):
+        statement = f'("{symbol} + 1 > 0",)'
+        claim = f"ForAll(({symbol},), implied([{symbol} {sign} 0], p[0]))"
+        assert ("the claim supposes" not in settle(statement=statement, claim=claim)) == good
+    claim = "ForAll((K, T), implied([K < T], p[0]))"
+    assert "the claim supposes" in settle(statement='("K < 0",)', claim=claim)
+
+
 def test_the_same_rightly_is_proved(settle):
     assert settle(statement='("1 = 1",)') == "proved"
     named = {"statement": r'(r"\sin\theta/2 = w",), reading=(r"\nu = w",)'}

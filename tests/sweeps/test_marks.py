@@ -4,6 +4,7 @@ import itertools
 import subprocess
 import sys
 import textwrap
+from types import ModuleType
 
 import pytest
 
@@ -157,6 +158,13 @@ def test_a_function_keeps_its_mark_while_it_is_called():
     before = mark(function)
     for _ in range(10_000):
         function(2.0)
+    assert mark(function) == before
+
+
+def test_a_module_that_has_the_name_of_what_is_imported_does_not_count(monkeypatch):
+    function = made("def f(a):\n    from math import sin as h\n    return h(a)")
+    before = mark(function)
+    monkeypatch.setitem(sys.modules, "sin", ModuleType("sin"))
     assert mark(function) == before
 
 

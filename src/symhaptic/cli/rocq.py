@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Container
 from functools import partial
@@ -113,8 +114,7 @@ def told_of(outcomes: list[Outcome], wanted: list[str]) -> str:
         for id, said in one.statements.items():
             if not wanted or id in wanted:
                 lines.append(f"{id}: {why(said) or 'whole'}")
-                kind = "whole" if said == "whole" else said.split(":")[0].split(" ", 1)[-1]
-                counts[kind] += 1
+                counts[re.sub(r"^\d+", "with", said.split(":")[0])] += 1
     steps = [one.steps for one in outcomes]
     checked = sum(n for rules in steps for n, _ in rules.values())
     total = sum(n for rules in steps for _, n in rules.values())
