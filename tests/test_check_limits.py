@@ -1,6 +1,8 @@
 """Somebody else's code gets so much time, memory and output, and leaves nothing behind."""
 
+import inspect
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -11,6 +13,9 @@ import pytest
 from command import symhaptic
 
 from symhaptic import check
+from symhaptic.cli.check import check as command
+
+GUIDE = Path(__file__).parents[1] / "docs" / "check.md"
 
 MINE = """
 import os, subprocess, sys, time
@@ -49,6 +54,14 @@ LIMIT = "check", "--formula", "linear_limit"
 def mine(tmp_path):
     (tmp_path / "mine.py").write_text(MINE)
     return tmp_path
+
+
+def test_without_options_it_has_what_the_guide_says():
+    said = re.sub(r"\s+", " ", GUIDE.read_text(encoding="utf-8"))
+    given = inspect.signature(command).parameters
+    for name, unit in (("timeout", "seconds"), ("memory", "GiB")):
+        (number,) = re.findall(rf"(\d+) {unit} (?:of|in) [a-z ]*\(`--{name} ", said)
+        assert given[name].default == float(number)
 
 
 def is_alive(pid):

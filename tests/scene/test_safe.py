@@ -1,5 +1,6 @@
 """Safe walls in SI units: what is proved is what is answered, and nothing beyond it."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -80,6 +81,21 @@ def test_the_best_damping_is_safe_and_bears_the_most():
 
     assert spare(best.B) >= 0.98 * delay
     assert all(spare(B) < 1.05 * delay for B in (best.safe[0], best.safe[1]))
+
+
+@pytest.mark.parametrize("cut", [0.3, 0.7])
+def test_of_two_ranges_of_damping_the_longer_is_named_and_nothing_between_them(cut):
+    """One column less: the others are proved as before."""
+    safe = phantom()
+    columns = safe.certificate.columns
+    (high,) = np.nonzero(np.array(columns.tops) >= 2000)
+    tops = list(columns.tops)
+    tops[high[int(cut * len(high))]] = 0.0
+    claim = replace(safe.certificate, columns=replace(columns, tops=tuple(tops)))
+    low, last = (parted := replace(safe, certificate=claim)).best_damping(2000.0).safe
+    assert parted.contains(2000.0, np.linspace(low, last, 500)).all()
+    width = columns.edges[high[-1] + 1] - columns.edges[high[0]]
+    assert 0.6 * width < last - low < 0.8 * width
 
 
 def test_it_is_checked_again_and_says_so():
