@@ -162,6 +162,34 @@ def test_nothing_is_left(kind, number, tmp_path, request):
         assert process.returncode == 128 + number
 
 
+TRIED = """
+import os, pathlib, signal
+from symhaptic.cli.shared import folder_allowed
+make = pathlib.Path.mkdir
+def mkdir(folder, *given, **named):
+    make(folder, *given, **named)
+    if folder.name.startswith({name!r}):
+        os.kill(os.getpid(), signal.SIGKILL)
+pathlib.Path.mkdir = mkdir
+folder_allowed(pathlib.Path("one/two"))
+"""
+
+
+@pytest.mark.parametrize("name", ["one", "two", "symhaptic-"])
+def test_where_a_folder_is_tried_no_kill_leaves_a_part_of_it(name, tmp_path):
+    mark = f"symhaptic-{uuid4()}"
+    variables = {"PYTHONPATH": str(HOME), "MARK": mark}
+    done = subprocess.run(
+        [sys.executable, "-c", TRIED.format(name=name)],
+        cwd=tmp_path, env=os.environ | variables, timeout=200, check=False,
+    )  # fmt: skip
+    assert done.returncode == -signal.SIGKILL
+    until = time.monotonic() + 60
+    while alive(mark) and time.monotonic() < until:
+        time.sleep(0.05)
+    assert os.listdir(tmp_path) == []
+
+
 MINE = """
 import sys, time
 for line in sys.stdin:

@@ -71,8 +71,8 @@ def _held(what: str, *arguments: str | Path, **options: Any) -> Popen[str]:
 
 @contextmanager
 def folder(prefix: str = "symhaptic-", parent: Path | None = None) -> Iterator[Path]:
-    """Make a temporary folder, which is removed at the end; so is a new parent that stays empty."""
-    new = [] if parent is None or parent.exists() else [parent]
+    """Make a temporary folder, which is removed at the end; so are new parents that stay empty."""
+    new = [] if parent is None else [p for p in (parent, *parent.parents) if not p.exists()]
     made = (parent or Path(tempfile.gettempdir())) / f"{prefix}{uuid4().hex}"
     with _held(_FOLDER, made, *new):  # started first: a kill in between leaves nothing
         if parent is not None:

@@ -91,21 +91,17 @@ def unwritable(output: Path, reason: str | None) -> NoReturn:
 def folder_allowed(output: Path, option: str = "-o") -> None:
     """Say before the work is done that no folder of results can be there.
 
-    Only writing shows it, so folders and a file in them are made for a moment.
+    Only writing shows it, so folders are made for a moment.
     """
-    made: list[Path] = []
+    from symhaptic.book import processes
+
     try:
-        for folder in (*reversed(output.parents), output):
-            if not folder.exists():
-                folder.mkdir()
-                made.append(folder)
-        with TemporaryFile(dir=output):
+        with processes.folder(parent=output):
             pass
     except OSError as wrong:
+        if wrong.filename is None:  # no file can be opened at all
+            raise
         no_folder(output, wrong.strerror, option)
-    finally:
-        for folder in reversed(made):
-            folder.rmdir()
 
 
 def no_folder(output: Path, reason: str | None, option: str = "-o") -> NoReturn:
