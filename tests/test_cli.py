@@ -513,6 +513,7 @@ def test_a_folder_that_cannot_be_is_told_before_the_work(command, tmp_path):
         ran = symhaptic(command, "-o", place, cwd=tmp_path)
         assert ran.returncode == 2
         assert f"-o {place}: cannot write there" in ran.stderr
+        assert ("(Not a directory)" in ran.stderr) == place.startswith("file")
         assert ran.stderr.count("\n") == 1
         assert time.monotonic() - begin < 60
     assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "link"]

@@ -75,8 +75,8 @@ def folder(prefix: str = "symhaptic-", parent: Path | None = None) -> Iterator[P
     new = [] if parent is None else [p for p in (parent, *parent.parents) if not p.exists()]
     made = (parent or Path(tempfile.gettempdir())) / f"{prefix}{uuid4().hex}"
     with _held(_FOLDER, made, *new):  # started first: a kill in between leaves nothing
-        if parent is not None:
-            parent.mkdir(parents=True, exist_ok=True)
+        if new:
+            new[0].mkdir(parents=True, exist_ok=True)
         made.mkdir(0o700)
         yield made
 
