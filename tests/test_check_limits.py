@@ -13,7 +13,7 @@ import pytest
 from command import symhaptic
 
 from symhaptic import check
-from symhaptic.cli.check import check as command
+from symhaptic.cli.check import check as check_command
 
 GUIDE = Path(__file__).parents[1] / "docs" / "check.md"
 
@@ -58,7 +58,7 @@ def mine(tmp_path):
 
 def test_without_options_it_has_what_the_guide_says():
     said = re.sub(r"\s+", " ", GUIDE.read_text(encoding="utf-8"))
-    given = inspect.signature(command).parameters
+    given = inspect.signature(check_command).parameters
     for name, unit in (("timeout", "seconds"), ("memory", "GiB")):
         (number,) = re.findall(rf"(\d+) {unit} (?:of|in) [a-z ]*\(`--{name} ", said)
         assert given[name].default == float(number)

@@ -1,4 +1,4 @@
-"""Where a function is called, in which units it is measured there, and what that is called."""
+"""The points at which `check` calls a function, the units of its errors, and what it covers."""
 
 import math
 from dataclasses import replace

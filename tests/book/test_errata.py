@@ -116,7 +116,7 @@ def test_equations_and_theorems_are_counted_from_one(name):
     assert numbers == list(range(1, len(counted) + 1))
 
 
-def test_one_chapter_is_no_chapters():
+def test_one_chapter_is_named_in_the_singular():
     names = {1: "s2a_device", 3: "s3a_undelayed", 4: "s3b_rise"}
     edges = {2: frozenset({1}), 3: frozenset({2}), 4: frozenset({2, 3})}
     place = Place(2, {}, names=names, edges=edges)

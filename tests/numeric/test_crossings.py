@@ -1,4 +1,4 @@
-"""Where plant and wall are equally strong, beside the complex numbers that they are there."""
+"""Crossings, the angles at which |A| = |M W|, compared with values in complex numbers."""
 
 import mpmath
 import numpy as np
@@ -78,7 +78,7 @@ def next_to_points(rng, count):
 
 
 def test_next_to_each_of_the_three_points_a_crossing_keeps_its_digits():
-    """A part in 1e9 of the least distance before it and after it, the other leads, in mpmath."""
+    """In mpmath |A| - |M W| has different signs 1e-9 of the least distance before and after it."""
     loops = next_to_points(np.random.default_rng(3), 80)
     found = crossings(surplus(device(*loops[2:]), wall(*loops[:2])), True)
     nearest = []

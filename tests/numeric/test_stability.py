@@ -86,8 +86,8 @@ def test_principal_sheet_beside_the_roots_in_the_cut_plane():
 
 @pytest.mark.parametrize("delay", [1.0, 1.5])
 @pytest.mark.parametrize("sheet", ["exact", "principal"])
-def test_of_nan_no_count_is_known_and_of_nothing_it_is(delay, sheet):
-    """Without any stiffness and damping a free mass stays: a double root at 1 is on the circle."""
+def test_nan_has_no_count_and_a_root_on_the_circle_is_not_counted(delay, sheet):
+    """A damped mass without a wall has a root at 1, not outside: the count is 0 or unknown."""
     loop = [0.5, 0.1, 0.3, 0.2, delay]
     for at in range(5):
         wrong = [np.nan if i == at else v for i, v in enumerate(loop)]

@@ -61,7 +61,7 @@ def test_the_record_is_asked_for_as_json_and_never_as_junit(tmp_path):
 def test_each_statement_has_a_line_and_each_kind_its_count():
     said = {
         "one": "whole", "two": "whole", "three": "2 steps open: the rule gains",
-        "four": "1 steps open: the rule gains", "five": "not printed: it is settled by hand",
+        "four": "1 step open: the rule gains", "five": "not printed: it is settled by hand",
     }  # fmt: skip
     told = told_of([Outcome("mine", statements=said)], []).splitlines()
     assert told[:3] == ["one: whole", "two: whole", "three: 2 steps open: the rule gains"]

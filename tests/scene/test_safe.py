@@ -85,14 +85,15 @@ def test_the_best_damping_is_safe_and_bears_the_most():
 
 @pytest.mark.parametrize("cut", [0.3, 0.7])
 def test_of_two_ranges_of_damping_the_longer_is_named_and_nothing_between_them(cut):
-    """One column less: the others are proved as before."""
+    """Without one column, the others are still proved."""
     safe = phantom()
     columns = safe.certificate.columns
     (high,) = np.nonzero(np.array(columns.tops) >= 2000)
     tops = list(columns.tops)
     tops[high[int(cut * len(high))]] = 0.0
     claim = replace(safe.certificate, columns=replace(columns, tops=tuple(tops)))
-    low, last = (parted := replace(safe, certificate=claim)).best_damping(2000.0).safe
+    parted = replace(safe, certificate=claim)
+    low, last = parted.best_damping(2000.0).safe
     assert parted.contains(2000.0, np.linspace(low, last, 500)).all()
     width = columns.edges[high[-1] + 1] - columns.edges[high[0]]
     assert 0.6 * width < last - low < 0.8 * width

@@ -114,7 +114,7 @@ def told_of(outcomes: list[Outcome], wanted: list[str]) -> str:
         for id, said in one.statements.items():
             if not wanted or id in wanted:
                 lines.append(f"{id}: {why(said) or 'whole'}")
-                counts[re.sub(r"^\d+", "with", said.split(":")[0])] += 1
+                counts[re.sub(r"^\d+ steps?", "with steps", said.split(":")[0])] += 1
     steps = [one.steps for one in outcomes]
     checked = sum(n for rules in steps for n, _ in rules.values())
     total = sum(n for rules in steps for _, n in rules.values())

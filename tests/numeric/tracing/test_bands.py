@@ -69,7 +69,7 @@ def runs(half):
 
 @pytest.mark.parametrize(("half", "usual"), [(0.03, 3), (1e-3, 1.1)])
 def test_every_crossing_is_in_a_band_that_is_hardly_wider_than_needed(half, usual):
-    """As `runs` has seen, each lies in one.  The shorter the part, the closer fits the band."""
+    """`runs` fails if a crossing lies in no band or in two; bands of shorter parts fit closer."""
     found, angles, phases = runs(half)
     width, room = found.high - found.low, found.most - found.least
     assert all(

@@ -46,7 +46,7 @@ def test_the_margin_is_what_may_be_added_to_the_delay(sheet):
 
 
 def test_without_a_delay_the_compiled_margin_is_as_good(monkeypatch):
-    """And is taken, be the delay of 0 given or not."""
+    """It is used whether the delay of 0 is given or omitted."""
     walls = np.full(9, 0.01), np.full(9, 0.05), 0.0, 0.0
     wanted = delay_margin(*walls, 0.0)
     if MODULE is not None:
@@ -445,7 +445,7 @@ def test_after_very_many_periods_a_root_leaves(loop):
 
 @pytest.mark.parametrize("loop", [LATE[0], TOUCHING[1]])
 def test_of_very_many_times_that_a_root_may_leave_more_are_looked_at_each_time(loop, monkeypatch):
-    """Up to 1e5 periods and farther, where one after the other would take thousands of looks."""
+    """The loss comes after 1e5 periods: one look for each time would take thousands."""
     looks, looked_at = [], losses._Search._looked_at
     monkeypatch.setattr(
         losses._Search, "_looked_at", lambda *given: looks.append(given) or looked_at(*given)
@@ -531,7 +531,7 @@ def test_a_crossing_that_is_known_to_the_last_digit_is_one(loop):
     assert below < 1 < above
 
 
-DECIDED = [  # that once took minutes; and what is not decided is right before the loss, or behind
+DECIDED = [  # some took minutes; the last two are undecided next to the loss
     (9.869594531172535, -4.934797265638365, 9.86960440108937, 2.0488802950799472e-14),
     (-88.82643952195721, 44.41321976101254, 88.82643960980423, 2.5109342757418348e-11),
     (8.882643960594166, -4.441321980343782, 9.869604401163086, 1.9036980063391101e-13),
