@@ -257,10 +257,11 @@ def _many(A: Array, W: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
 
 
 def _lead(A: Array, W: Array, theta: Array) -> Array:
-    """log |A/W| at angles."""
+    """log |A/W| at angles, 0 where both vanish."""
     device, wall = _both(A, W, theta, True)
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(np.log(np.abs(device)) - np.log(np.abs(wall)))
+        lead = np.log(np.abs(device)) - np.log(np.abs(wall))
+    return np.where(np.isnan(lead), 0.0, lead)
 
 
 def _touching(A: Array, W: Array, theta: Array) -> Array:
