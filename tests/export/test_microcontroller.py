@@ -13,6 +13,8 @@ from symhaptic.export.microcontroller import COMPILER, CORTEX_M4, KINDS, LEAN, S
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms import stable
 
+pytestmark = pytest.mark.ci
+
 CONTROLLER = [
     "is_stable", "delay_margin", "max_stable_stiffness", "max_passive_stiffness",
     "stability_boundary",
@@ -38,7 +40,6 @@ def folder(tmp_path_factory):
     return exported("microcontroller", tmp_path_factory.mktemp("small") / "out", CONTROLLER)
 
 
-@pytest.mark.ci
 def test_the_self_test_passes_on_a_cortex_m4(folder):
     """As written, and none of the functions sets errno at any vector."""
     needs(COMPILER, QEMU[0])

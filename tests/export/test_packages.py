@@ -12,6 +12,8 @@ import symhaptic
 from symhaptic.export import request
 from symhaptic.export.package import FLAGS
 
+pytestmark = pytest.mark.ci
+
 WALL = ["is_stable", "max_stable_stiffness", "max_passive_stiffness", "passivity_margin"]
 
 IN_CMAKE = """cmake_minimum_required(VERSION 3.15)

@@ -17,6 +17,8 @@ from symhaptic.export.rounding import FORMATS, goals
 from symhaptic.export.targets import TARGETS
 from symhaptic.model.parts import ALL, FULL
 
+pytestmark = pytest.mark.ci
+
 NEEDS_GAPPA = pytest.mark.skipif(
     shutil.which("gappa") is None, reason="gappa is not found; on Debian: apt install gappa"
 )

@@ -13,6 +13,8 @@ from symhaptic.export.precision import PRECISIONS
 from symhaptic.export.targets import TARGETS
 from symhaptic.kernels import haptic
 
+pytestmark = pytest.mark.ci
+
 JUDGES = "is_stable", "unstable_roots", "verdict"
 KINDS = {"double": (ctypes.c_double, np.float64), "single": (ctypes.c_float, np.float32)}
 ROOM = ctypes.c_double * 32

@@ -27,7 +27,7 @@ SCENES = {
 NAMES = {"three functions": ["discretize", "max_passive_stiffness", "is_stable"]}
 
 
-QUICK = [(n, "everything" if n in ("c", "numpy") else "three functions") for n in TARGETS]
+QUICK = [(n, "three functions") for n in TARGETS]
 BOTH = [n for n, t in TARGETS.items() if t.single is not None and t.precision is not SINGLE]
 
 

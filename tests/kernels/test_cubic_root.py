@@ -10,6 +10,8 @@ from symhaptic.export.precision import PRECISIONS
 from symhaptic.export.routines import roots
 from symhaptic.kernels import haptic
 
+pytestmark = pytest.mark.ci
+
 RNG = np.random.default_rng(452)
 
 

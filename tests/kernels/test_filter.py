@@ -18,6 +18,8 @@ from hypothesis import strategies as st
 import symhaptic
 from symhaptic.balls import closed, winding
 
+pytestmark = pytest.mark.ci
+
 ufuncs = pytest.importorskip(
     "symhaptic.kernels._compiled", reason="the install found no compiler", exc_type=ImportError
 )

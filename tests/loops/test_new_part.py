@@ -50,6 +50,7 @@ def test_its_roots_beside_eigenvalues(scene):
         assert scene.is_stable(K, 5.0) == stable
 
 
+@pytest.mark.ci  # describe() says the stiffest passive wall, see below
 def test_the_questions_that_it_answers_without_being_named_anywhere(scene):
     assert pytest.approx(scene.max_stable_stiffness()) == scene.stable_region().max_stiffness.K
     assert scene.delay_margin(400.0, 1.0) > 0
@@ -67,6 +68,6 @@ def test_a_notch_above_half_of_the_rate_is_unstable_and_nothing_is_passive_with_
         scene.is_passive(100.0, 0.0)
 
 
-@pytest.mark.ci  # 4 s: a sharp notch has a worst angle that is hard to enclose
+@pytest.mark.ci  # a sharp notch has a worst angle that is hard to enclose
 def test_its_stiffest_passive_wall(scene):
     assert scene.max_passive_stiffness() == pytest.approx(1000.0, rel=1e-12)
