@@ -13,10 +13,13 @@ from itertools import pairwise, product
 import numpy as np
 import pytest
 from hands import growth, loops, moved
+from scipy.optimize import brentq
 
-from symhaptic.bounds.safe.check import recheck, stable
+from symhaptic.bounds.safe import prove
+from symhaptic.bounds.safe.check import Certificate, recheck, stable
 from symhaptic.bounds.safe.curve import left_out, walls
 from symhaptic.bounds.safe.find import NothingSafe, certified, outlines
+from symhaptic.bounds.safe.prove import Columns
 from symhaptic.numeric.boundary import stability_boundary
 from symhaptic.numeric.stability import is_stable
 from symhaptic.numeric.tracing.extremes import stiffest_at
@@ -228,6 +231,28 @@ def test_a_run_that_is_unstable_everywhere_is_no_run():
     columns = claim.columns
     beyond = replace(columns, edges=(300.0, 310.0), tops=(5.0,))
     assert not recheck(replace(claim, columns=beyond, stable=((3.0, 305.0),)))
+
+
+def test_a_column_below_the_softest_wall_joins_no_walls():
+    """Without delay a stiff wall's largest damping has a root at -1, which passes a thin column.
+
+    That column has no wall: those on its other side are unstable, and no root need cross for it.
+    """
+    arm = ((0, 0), (0, 0), (100, 100))
+    case, low, thin = loops("0.5", "2.5", 0, arm, (False, False)), 2e4, 2.5
+
+    def size(B):
+        return growth(low, B, 0.5, 2.5, 100.0, 1e-3, 0)
+
+    most = float(brentq(lambda B: size(B) - 1, 900, 1100))
+    assert size(most - 20) < 1 < size(most + 20)
+    edges = (most - 30, most - thin, most + thin, most + 30)
+    for bridge in (1e-300, 0.999 * low):
+        columns = Columns(edges, (1.0001 * low, bridge, 1.0001 * low), low)
+        found = prove.shown(case, columns)
+        assert found.columns == columns
+        claim = Certificate(case, columns, found.cuts, found.angles, ((low, most - 20),))
+        assert not recheck(claim)
 
 
 @pytest.mark.parametrize(

@@ -33,9 +33,12 @@ def test_what_each_angle_needs_is_condition_4(name, delay):
             assert told[0] == pytest.approx(float(true), rel=1e-13, abs=1e-15)
 
 
-@pytest.mark.parametrize("pole", [0.0, 0.5, 0.9, 0.99])
+@pytest.mark.parametrize("pole", [0.0, 0.5, 0.9, 0.99, 1 - 2**-20, 1 - 2**-34, 1 - 2**-50])
 def test_an_exponential_average(pole):
-    """b >= K T/2 + B (1 - f)/(1 + f) for B >= 0, and b >= K T/2 + |B| for B < 0."""
+    """b >= K T/2 + B (1 - f)/(1 + f) for B >= 0, and b >= K T/2 + |B| for B < 0.
+
+    The second one is that of ever slower motions, which the slowest filter passes.
+    """
     scene = Scene(mass=0.1, damping=0.5, sampling_period=1e-3, velocity=LowPass(weight=1 - pole))
     for B in (0.3, 0.0, -0.3):
         need = B * (1 - pole) / (1 + pole) if B >= 0 else -B
@@ -87,6 +90,40 @@ def test_where_passivity_cannot_be_told_it_says_so(part, why):
         scene.is_passive(1.0, 0.0)
     assert why in str(caught.value)
     assert "not computed" in scene.describe()
+
+
+@pytest.mark.parametrize("delay", [0, 2])
+@pytest.mark.parametrize(
+    "velocity", [LowPass(time_constant=1e12), LowPass(time_constant=1e12, order=2)]
+)
+def test_a_negative_damping_is_not_passive_however_slow_the_filter(velocity, delay):
+    """Ever slower motions need -B + K T (d + 1/2): H is K + B (1 - 1/z)/T there."""
+    scene = Scene(
+        mass=0.1, damping=0.5, sampling_period=1e-3, delay_samples=delay, velocity=velocity
+    )
+    assert not scene.is_passive([0.0, 1.0], -0.5 * (1 + 1e-12)).any()
+    assert scene.passivity_margin(0.0, -1.0) == pytest.approx(-0.5, rel=1e-12)
+    limit = 0.2 / (1e-3 * (delay + 0.5))
+    assert scene.max_passive_stiffness(B=-0.3) <= limit * (1 + 1e-12)
+
+
+def test_what_slow_motions_need_is_that_of_the_coefficients_as_given():
+    """Their sums are equal, so that the filter passes ever slower motions as they are.
+
+    As floats the sum below is 1.87922016241515e-05: 2e-11 less.
+    """
+    below = [1.0, 1.4595808554542, -0.004299457318180555, -1.4612177772405268, -0.9940448286938681]
+    needs = Needs(Filter([1.8792201624545e-05], below), 0, 1.0)
+    assert needs.at(np.zeros(1))[1][0] == -1.0
+
+
+def test_a_filter_is_stable_by_its_coefficients_as_given():
+    """Their sum is -1e-16, p(1), and p(z) > 0 for large z: there is a root z > 1.
+
+    Roots in floats all have |z| < 1 - 1e-6.
+    """
+    with pytest.raises(ValueError, match="give a stable filter"):
+        Filter([-1e-16], [1.0, -2.999972624, 2.9999452480602855, -0.9999726240602856])
 
 
 @pytest.mark.parametrize("apart", [1e-2, 1e-4, 1e-6])

@@ -122,7 +122,10 @@ def test_a_virtual_mass_takes_from_the_friction_of_an_encoder():
     free, heavy = (Scene(**own, virtual_mass=mass) for mass in (0.0, 5e-5))
     assert free.max_quantised_stiffness() == pytest.approx(400.0)
     assert heavy.max_quantised_stiffness() == pytest.approx(400.0 - 4 * 5e-5 / 0.001**2)
-    assert math.isclose(Scene(**own, virtual_mass=2e-4).max_quantised_stiffness(), 0.0)
+    for mass, friction, short in ((2e-4, 0.002, "friction"), (1.5e-3, 0.1, "damping")):
+        none = Scene(**{**own, "coulomb_friction": friction}, virtual_mass=mass)
+        assert math.isnan(none.max_quantised_stiffness())  # 0 is a wall of K = 0 that is passive
+        assert f"nothing without B: {short} does not suffice" in none.describe()
 
 
 @pytest.mark.parametrize("name", NOT_TOLD)

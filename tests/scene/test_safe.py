@@ -169,6 +169,20 @@ def test_what_is_refused_in_one_line(call, told):
     assert "\n" not in str(wrong.value)
 
 
+@pytest.mark.parametrize(
+    "other",
+    [
+        {"arms": ArmRange(mass=(0, 24))},
+        {"arms": ArmRange(mass=(0, 23), damping=(0, 20))},
+        {"scene": Scene.of("Phantom Premium 1.5", sampling_period=1e-3, delay_samples=4)},
+        {"scene": Scene(mass=0.03, damping=0.005, sampling_period=1e-3, delay_samples=1.5)},
+    ],
+)
+def test_the_certificate_of_another_device_or_of_other_arms_is_not_confirmed(other):
+    """Its walls were stable for other loops."""
+    assert not replace(phantom(), **other).recheck()
+
+
 @pytest.mark.parametrize("damping", [0.05, 0.5, 2.0])
 def test_of_a_device_on_a_stiff_spring_little_is_left_out(damping):
     """The boundary turns about its own spring, fifty to a thousand times as stiff as the walls."""

@@ -155,7 +155,7 @@ def answers(scene: Scene, wall: tuple[float, float] | None) -> dict[str, Any]:
     Stability is that of device and arm together, passivity that of the device alone.
     """
 
-    from symhaptic.scene.walls import quantised_limits, why_not_passive
+    from symhaptic.scene.walls import binding, quantised_limits, why_not_passive
     from symhaptic.scene.words import quantised
 
     def limit(found: Any) -> dict[str, Any]:
@@ -178,7 +178,7 @@ def answers(scene: Scene, wall: tuple[float, float] | None) -> dict[str, Any]:
         data["passivity_not_told"] = not_told
     if scene.encoder is not None and not why_not_passive(replace(scene, velocity=None)):
         limits = quantised_limits(scene)
-        by = min(limits, key=lambda name: limits[name])
+        by = binding(limits)
         each = {name: finite(K) for name, K in limits.items()}
         words = {"limited_by": by, "limits_K": each, "words": quantised(scene)}
         data["passive_with_encoder"] = limit(limits[by]) | words

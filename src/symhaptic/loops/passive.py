@@ -29,28 +29,32 @@ class Needs:
     ) -> None:
         self.velocity, self.delay, self.period = velocity, delay, period
         self.virtual_mass = virtual_mass
+        poles: Complex = np.empty(0, dtype=complex)
         if velocity.over > SHORT:
             turns, bends = delay + velocity.over, np.ones(1)
         else:
             above, below, late = velocity.ratio(period)
             turns = delay + late + len(above) + len(below)
             bends = np.array(below, dtype=float)
-            if len(bends) > 1 and (np.abs(roots(bends) + 1) > 1 + _ROUNDED).any():
+            poles = roots(bends) if len(bends) > 1 else poles
+            if (np.abs(poles + 1) > 1 + _ROUNDED).any():
                 raise ValueError(
                     f"velocity: {velocity.words} is unstable with this sampling period; passivity "
                     "is not computed, give a stable filter"
                 )
         uniform = np.linspace(0, np.pi, 32 * turns + 256)
-        self.theta = grid(uniform, 1e-9 / turns, bends)
+        slowest = np.abs(poles).min(initial=1.0)
+        angles = grid(uniform, 1e-9 * slowest / turns, bends)
+        self.theta = np.concatenate([[0.0], angles])
         self.of_K, self.of_B, self.rest = self.at(self.theta)
 
     def at(self, theta: Array) -> tuple[Array, Array, Array]:
-        """p, q and r at angles, 0 < theta <= pi.
+        """p, q and r at angles, 0 <= theta <= pi; at 0 their limits.
 
-        With w^2/|w|^2 = -z nothing is divided that vanishes at 0.
+        With w^2/|w|^2 = -z nothing is divided that vanishes at 0, but for two sines.
         """
         half = theta / 2
-        p = np.sin((2 * self.delay + 1) * half) / (2 * np.sin(half))
+        p = _sines(2 * self.delay + 1, half) / 2
         q = -(np.exp(-1j * self.delay * theta) * self._slope(theta)).real
         heavy = np.exp(-1j * (self.delay + 2) * theta) * point(theta, False)
         return p, q, -self.virtual_mass * heavy.real
@@ -59,7 +63,7 @@ class Needs:
         """V(z)/(z - 1)."""
         n = self.velocity.over
         if n > SHORT:
-            mean = np.sin(n * theta / 2) / (n * np.sin(theta / 2))
+            mean = _sines(n, theta / 2) / n
             return np.asarray(mean * np.exp(-1j * (n + 1) * theta / 2))
         above, below, late = self.velocity.ratio(self.period)
         w = point(theta, False)
@@ -91,7 +95,7 @@ class Needs:
         found = self._need(K, B, angles)
         worst = np.argmax(found, axis=1)[:, None]
         need, theta = (np.take_along_axis(x, worst, axis=1)[:, 0] for x in (found, angles))
-        theta = np.where(theta > 2 * self.theta[0], theta, np.nan)
+        theta = np.where(theta > 2 * self.theta[1], theta, np.nan)
         return np.where(K < 0, np.inf, need), theta
 
     def _need(self, K: Array, B: Array, theta: Array) -> Array:
@@ -110,7 +114,7 @@ class Needs:
         K = np.maximum(np.where(self.of_K > 0, lines, np.inf).min(axis=1), 0.0)
         need, theta = self.required(K, B)
         for _ in range(60):
-            p, q, r = self.at(np.where(np.isnan(theta), self.theta[0], theta))
+            p, q, r = self.at(np.where(np.isnan(theta), 0.0, theta))
             over = (need > damping) & (K > 0)
             if not over.any():
                 break
@@ -149,6 +153,12 @@ class Needs:
             if at_none[0] >= K[top] * (1 - 1e-12):
                 return float(at_none[0]), 0.0, float(angle[0])
         return float(K[top]), float(B[top]), float(theta[top])
+
+
+def _sines(times: int, angle: Array) -> Array:
+    """sin(n x)/sin(x), n at 0."""
+    with np.errstate(invalid="ignore"):
+        return np.where(angle == 0, times, np.sin(times * angle) / np.sin(angle))
 
 
 _ROUNDED = 1e-9

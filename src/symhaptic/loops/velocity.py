@@ -10,10 +10,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import NamedTuple
 
 from symhaptic.loops.number import Number, Polynomial, power_of_z, product, scaled, total
-from symhaptic.notation.quantities import number, shown
+from symhaptic.notation.quantities import decimal, nearest, number, shown
 
 
 class Ratio(NamedTuple):
@@ -313,8 +314,6 @@ class Filter(Velocity):
     denominator: Sequence[float] = (1.0,)
 
     def __post_init__(self) -> None:
-        import numpy as np
-
         for name in ("numerator", "denominator"):
             given = getattr(self, name)
             several = hasattr(given, "__len__") and not isinstance(given, str)
@@ -325,13 +324,13 @@ class Filter(Velocity):
             object.__setattr__(self, name, tuple(number(name, each, "") for each in given))
         if self.denominator[0] == 0:
             raise ValueError("denominator: its first number is 0; give the factor of v_k there")
-        above, below = sum(self.numerator), sum(self.denominator)
+        above, below = (sum(map(decimal, each)) for each in (self.numerator, self.denominator))
         if below == 0 or abs(above / below - 1) > 1e-9:
             raise ValueError(
                 f"numerator: {shown(self.numerator)} over {shown(self.denominator)} turns a "
                 "constant into another one; give coefficients with the same sum"
             )
-        if any(abs(root) >= 1 for root in np.roots(self.denominator)):
+        if not _all_inside([*map(decimal, self.denominator)]):
             raise ValueError(
                 f"denominator: {shown(self.denominator)} is not allowed; give a stable filter"
             )
@@ -353,11 +352,25 @@ _TERMS = 7
 
 
 def _of_delays(coefficients: Sequence[float], more: int) -> Polynomial:
-    """(c_0 z^n + ... + c_n) z^more in powers of w."""
+    """(c_0 z^n + ... + c_n) z^more in powers of w.
+
+    The sums are exact, because near z = 1 little is left of large coefficients.
+    """
     found: Polynomial = ()
     for power, each in enumerate(reversed(coefficients), more):
-        found = total(found, scaled(each, power_of_z(power)))
-    return found
+        found = total(found, scaled(decimal(each), power_of_z(power)))
+    return tuple(map(nearest, found))
+
+
+def _all_inside(falling: list[Fraction]) -> bool:
+    """Whether all roots of a polynomial lie in |z| < 1: Schur's reduction, in exact numbers."""
+    while len(falling) > 1:
+        share = falling[-1] / falling[0]
+        if abs(share) >= 1:
+            return False
+        pairs = zip(falling, reversed(falling), strict=True)
+        falling = [one - share * other for one, other in pairs][:-1]
+    return True
 
 
 @dataclass(frozen=True)

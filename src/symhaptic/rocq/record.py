@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from symhaptic.book.foreign import LEAVES, NOT, WHOLE
+from symhaptic.book.foreign import LEAVES, NOT, WHOLE, listed
 from symhaptic.rocq.outcome import Outcome
 
 GENERATED = "written by `symhaptic verify --rocq DIR --format json -o FILE`; do not edit"
@@ -99,12 +99,21 @@ def text(found: Mapping[str, Any]) -> str:
 
 
 def differences(found: Mapping[str, Any], known: Mapping[str, Any]) -> list[str]:
-    """Statements that Rocq has checked further, or not as far, as a record says."""
+    """Statements that Rocq has checked further, or not as far, or with more assumed, than recorded.
+
+    >>> whole = {"checked": "whole", "rests": ["excluded middle"]}
+    >>> found = {"statements": {"eq1": whole}}
+    >>> differences(found, {"statements": {"eq1": {**whole, "rests": []}}})
+    ['eq1: rests on excluded middle, which the record does not name']
+    """
     lines = []
     for id, one in found["statements"].items():
-        before = known["statements"].get(id, {}).get("checked", "nothing")
+        recorded = known["statements"].get(id, {})
+        before = recorded.get("checked", "nothing")
         if one["checked"] != before:
             lines.append(f"{id}: {one['checked']}, but the record says {before}")
+        elif more := [name for name in one["rests"] if name not in recorded.get("rests", ())]:
+            lines.append(f"{id}: rests on {listed(more)}, which the record does not name")
     return lines
 
 

@@ -206,10 +206,15 @@ class SafeWalls:
         return float((at - loops.periods[0]) * loops.period)
 
     def recheck(self) -> bool:
-        """Whether the second check confirms all of it: the walls, and the passive corners."""
+        """Whether the second check confirms all of it: the walls, and the passive corners.
+
+        The certificate has to be one of this device, with these arms.
+        """
         loops = self.certificate.loops
-        return recheck(self.certificate) and all(
-            is_passive(loops, wall) for wall in self.passive_corners
+        return (
+            loops == _loops(self.scene, self.arms)
+            and recheck(self.certificate)
+            and all(is_passive(loops, wall) for wall in self.passive_corners)
         )
 
     @cached_property
@@ -281,7 +286,13 @@ def safe_walls(scene: DeviceLoop, arm: Arms) -> SafeWalls:
             )
         scene, arm = scene.device, scene.arm
     arms = checked_range(_range(arm), scene.rotary)
-    loops = Loops(
+    loops = _loops(scene, arms)
+    return SafeWalls(scene, arms, certified(loops), passive(loops))
+
+
+def _loops(scene: DeviceLoop, arms: ArmRange) -> Loops:
+    """The loops of a device with all arms of a range, in exact numbers."""
+    return Loops(
         decimal(scene.mass_or_inertia),
         decimal(scene.damping or 0.0),
         decimal(scene.stiffness or 0.0),
@@ -290,7 +301,6 @@ def safe_walls(scene: DeviceLoop, arm: Arms) -> SafeWalls:
         tuple((decimal(low), decimal(high)) for low, high in arms.hands),  # type: ignore[arg-type]
         arms.by_mass,
     )
-    return SafeWalls(scene, arms, certified(loops), passive(loops))
 
 
 def draw_safe(axes: Axes, safe: SafeWalls, wall: tuple[float, float] | None = None) -> None:

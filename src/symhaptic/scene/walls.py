@@ -335,22 +335,28 @@ def quantised_limits(scene: DeviceLoop) -> dict[str, Stiffness]:
     with a virtual mass M by (K + 4 M/T^2) Delta/2: three positions make a second difference.
     Friction of this size dissipates in each instant what the error gives, and the rest of the loop
     is that without encoder.  Without virtual damping the filter of the velocity does not matter.
+    A limit is NaN where a virtual mass alone is too much, so that a wall of K = 0 is not passive.
     """
     if scene.encoder is None:
         raise ValueError("encoder: is left out; give Encoder(resolution=...)")
     of_damping = passive_limit_at(replace(scene, velocity=None), 0.0)
-    passive = 0.0 if math.isnan(of_damping.K) else of_damping.K
     friction = quantisation_limit(scene.encoder.resolution, scene.coulomb_friction or 0.0)
-    friction = max(friction - 4 * (scene.virtual_mass or 0.0) / scene.sampling_period**2, 0.0)
+    friction -= 4 * (scene.virtual_mass or 0.0) / scene.sampling_period**2
     return {
-        "damping": Stiffness(passive, 0.0, of_damping.frequency_hz),
-        "friction": Stiffness(friction, 0.0, math.nan),
+        "damping": Stiffness(of_damping.K, 0.0, of_damping.frequency_hz),
+        "friction": Stiffness(friction if friction >= 0 else math.nan, 0.0, math.nan),
     }
+
+
+def binding(limits: dict[str, Stiffness]) -> str:
+    """What limits most: the smallest limit, and before it one that leaves no wall."""
+    return min(limits, key=lambda name: -math.inf if math.isnan(limits[name]) else limits[name])
 
 
 def max_quantised_stiffness(scene: DeviceLoop) -> Stiffness:
     """The smaller one of both."""
-    return min(quantised_limits(scene).values())
+    limits = quantised_limits(scene)
+    return limits[binding(limits)]
 
 
 def limit_at(scene: DeviceLoop, B: Any) -> Limit:

@@ -9,6 +9,7 @@ from html import escape
 
 from symhaptic.scene.loop import UNITS, DeviceLoop
 from symhaptic.scene.walls import (
+    binding,
     limit_at,
     max_passive_stiffness,
     max_stable_stiffness,
@@ -82,9 +83,12 @@ def quantised(scene: DeviceLoop) -> str:
     if not scene.coulomb_friction:
         return "nothing: without Coulomb friction, the steps can sustain an oscillation at any K"
     limits, unit = quantised_limits(scene), scene.printed("N/m")
-    binding, other = sorted(limits, key=lambda name: limits[name])
+    least = binding(limits)
+    (other,) = set(limits) - {least}
+    if math.isnan(limits[least]):
+        return f"nothing without B: {least} does not suffice for the virtual mass"
     return (
-        f"passive up to {limits[binding]:.4g} {unit} without B, limited by {binding}; "
+        f"passive up to {limits[least]:.4g} {unit} without B, limited by {least}; "
         f"{other} would allow {limits[other]:.4g} {unit}"
     )
 

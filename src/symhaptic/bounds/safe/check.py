@@ -75,6 +75,8 @@ def _sensible(claim: Certificate) -> bool:
         and len(columns.tops) == len(columns.edges) - 1
         and all(low <= high for low, high in pairwise(columns.edges))
         and columns.low > 0
+        # a lower column would join others with no wall between them
+        and all(top <= 0 or top >= columns.low for top in columns.tops)
         and loops.mass > 0
         and loops.period > 0
         and min(loops.damping, loops.stiffness, loops.periods[0]) >= 0
