@@ -98,7 +98,7 @@ def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = Tru
 _SAID = {
     "statement": "print",
     "proposition": "proposition",
-    "definitions": "definitions",
+    "definitions": "list of definitions",
     "condition": "condition",
     "corrected": "correction",
     "counterexample": "counterexample",

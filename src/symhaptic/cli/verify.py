@@ -62,8 +62,9 @@ def verify(
         typer.Option(
             "--strict",
             help="Also fail if a statement has no verdict, or is undecided or external and the "
-            "ledger does not say so, or if its formula, condition, correction or counterexample "
-            "differs from the ledger (the file of committed verdicts).",
+            "ledger does not say so, or if its formula, proposition, definitions, condition, "
+            "correction or counterexample differs from the ledger (the file of committed "
+            "verdicts).",
         ),
     ] = False,
     workers: Annotated[
