@@ -121,6 +121,32 @@ def test_a_verdict_next_to_the_boundary_is_right_or_undecided(exported, number):
     assert min(decided.values()) > number / 8
 
 
+STIFF = [
+    # m2 and m0 are off by as many last places as the device turns in a period
+    (1.7312962659634864e-06, 1.9655876602085053e-05, 1531779.9100544637, 0.0, 3.1417663972738494),
+    (-571436145.7309575, 303036944.92663866, 1909237320.6258085, 0.3965915062397475,
+     3.680838969240091),
+    (103589796573117.05, -82136193041102.56, 337498094126724.2, 5.602189849640211e-11,
+     0.6899712643194227),
+    (-41611640.0, -30230554.0, 43134680.0, 0.0, 0.1948937326669693),
+    (69.41712951660156, -31.581884384155273, 14243688.0, 0.0, 3.2560837268829346),
+    # half turns: whether device and wall are as strong as each other three times is not certain
+    (134.32005310058594, -67.16002655029297, 88.8264389038086, 2.948215360731865e-08,
+     0.09000106900930405),
+    (30737.251953125, -15368.630859375, 27723.71875, 0.0, 0.5633560419082642),
+    (828205843787.5679, -414102921894.18115, 827042583955.6108, 0.0, 5.828692289297919e-08),
+]  # fmt: skip
+"""Walls within roundings of the boundary, of devices that turn more than once in a period."""
+
+
+@pytest.mark.parametrize("loop", STIFF, ids=lambda loop: f"gamma={loop[2]:.4g}")
+def test_a_verdict_of_a_stiff_device_with_a_fractional_delay_is_right_or_undecided(exported, loop):
+    loop = in_floats(exported, *loop)
+    verdict, roots = (exported.plain(name, *loop) for name in ("verdict", "unstable_roots"))
+    assert verdict == -1 or oracle.all_inside(*loop) == (verdict == 1)
+    assert roots == -1 or oracle.certified(*loop) == roots
+
+
 ON_THE_CIRCLE = [
     (-0.25, 0.1, 0.25, 0.1, 1.0),  # alpha = -gamma: a root at 1
     (0.0, 0.0, 0.25, 0.0, 1.0),  # no damping and no wall

@@ -140,6 +140,32 @@ def test_a_margin_as_small_as_a_last_place_of_balls_has_its_sign():
         assert is_passive([1.0, 1.0], [tiny, -tiny], 1.5, 1).tolist() == [True, False]
 
 
+@pytest.mark.parametrize(
+    ("wall", "end"),
+    [
+        ((0.5352795347115132, 0.42163321858412384, 1.2615436732442804, 2.61947719933489), 1),
+        ((0.9164497715796742, 0.18581027904274672, 0.8762578983058045, 0.5959336620293743), 1),
+        ((4.7419643878678254e-05, 8.00047146121685e-14, 2.3709821979341478e-05,
+          1.687163982640032e-09), -1),
+    ],
+)  # fmt: skip
+def test_a_wall_that_gains_energy_at_an_end_of_the_circle_is_decided(wall, end):
+    """The energy that is lost, times 4 delta, at the angle 0 or pi, in fractions.
+
+    With the wall W = alpha + beta (1 - 1/z) and the part f of a period this is
+    4 delta (delta + Re((1 - f (1 - 1/z)) W z^-l/(z - 1))) - f (1 - f) |W|^2.
+    """
+    alpha, beta, delta, delay = map(Fraction, wall)
+    part = delay % 1
+    if end == 1:  # at z = 1 the real part is beta - alpha (d + 1/2), at -1 it is that of W/(z - 1)
+        left, size = delta + beta - alpha * (delay + Fraction(1, 2)), alpha
+    else:
+        assert delay < 1
+        left, size = delta - (1 - 2 * part) * (alpha + 2 * beta) / 2, alpha + 2 * beta
+    assert 4 * delta * left < part * (1 - part) * size**2
+    assert not is_passive(*wall, certified=True)
+
+
 def test_a_scene_is_judged_by_its_decimals():
     """No number is rounded: 0.1 kg is a tenth."""
     scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)

@@ -410,7 +410,8 @@ class C(Family):
         truth = ["#include <stdbool.h>", ""] * any(r.truth for r in library.public)
         header = [f"#ifndef {guard}", f"#define {guard}", "", *truth, *_LINKED, *heads,
                   "#ifdef __cplusplus", "}", "#endif", "", "#endif", ""]  # fmt: skip
-        lines = [f'#include "{library.name}.h"', "", "#include <math.h>", "", *STRICT.split("\n")]
+        lines = [f'#include "{library.name}.h"', "", "#include <float.h>", "#include <math.h>", "",
+                 *STRICT.split("\n")]  # fmt: skip
         lines += self.prelude(library)
         if table := self.table(library):
             lines += ["// 1/n!", f"static const {self.real} inverse_factorial[] = {{{table}}};", ""]

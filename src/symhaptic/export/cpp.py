@@ -34,7 +34,8 @@ class Cpp(Family):
             heads += [f"[[nodiscard]] {self._head(routine)};", ""]
         header = ["#pragma once", "", "#include <array>", "", f"namespace {library.name} {{", "",
                   *heads, "}", ""]  # fmt: skip
-        lines = [f'#include "{library.name}.hpp"', "", "#include <cmath>", "#include <limits>", "",
+        lines = [f'#include "{library.name}.hpp"', "", "#include <cfloat>", "#include <cmath>",
+                 "#include <limits>", "",
                  *STRICT.split("\n"), "namespace {", ""]  # fmt: skip
         if table := self.table(library):
             lines += ["// 1/n!", f"constexpr {self.real} inverse_factorial[] = {{{table}}};", ""]

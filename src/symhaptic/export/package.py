@@ -20,8 +20,15 @@ STRICT = """#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defin
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "this file needs IEEE arithmetic: compile it without -ffast-math, -Ofast and /fp:fast"
 #endif
+#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
+#error "this file needs IEEE arithmetic: compile it with -mfpmath=sse or /arch:SSE2"
+#endif
 """
-"""Compiler flags that reorder sums, or assume that there is no NaN, cost digits and the domain."""
+"""Compiler flags that reorder sums, or assume that there is no NaN, cost digits and the domain.
+
+So does the x87 unit of a processor: it rounds to more digits than a number has.  The method 16 has
+these for half precision only.
+"""
 
 _LISTS = """\
 # cmake -B build && cmake --build build && ctest --test-dir build
@@ -124,8 +131,12 @@ def notes(name: str, header: str) -> list[str]:
     """Lines of the README on it."""
     return [
         "With -ffast-math, -Ofast or /fp:fast it does not compile: these take it that there is",
-        "no NaN, and rewrite sums. Use -ffp-contract=off where the processor has fused",
-        "multiplication, as CMakeLists.txt does, for the digits that were measured.",
+        "no NaN, and rewrite sums. Nor does it for the x87 unit of 32-bit x86, which rounds each",
+        "step to more digits: compile with -msse2 -mfpmath=sse there. Never give clang",
+        "-funsafe-math-optimizations or -fassociative-math, which it does not report: a wall that",
+        "is not stable may then count as stable. The self-test fails with these two flags. Use",
+        "-ffp-contract=off where the processor has fused multiplication, as CMakeLists.txt does,",
+        "for the digits that were measured.",
         "",
         "CMake builds, tests and installs it; then `find_package` and pkg-config know it:",
         "",

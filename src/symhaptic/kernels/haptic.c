@@ -46,6 +46,9 @@
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "this file needs IEEE arithmetic: compile it without -ffast-math, -Ofast and /fp:fast"
 #endif
+#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
+#error "this file needs IEEE arithmetic: compile it with -mfpmath=sse or /arch:SSE2"
+#endif
 
 #ifndef SINGLE
 // 1/n!
@@ -976,41 +979,56 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
     const double strength = fabs(alpha) + fabs(beta), stiffest = fmax(gamma, fabs(alpha));
     const double slope = alpha + beta, wall_far = alpha + 2.0*beta, force = beta*slope;
     const double lost = loss*loss, square = m0*m2, size = across*across, at_one = gamma*together;
-    const double size2 = m2 + together + fabs(m0), near_half = sqrt(fmin(1.0, at_minus_one));
-    const double whole = gamma == 0.0 ? 1.0 : gamma;
-    const double apart_off = 7.105427357601002e-15*near_half*size2;
-    const double n1_off = 1.4210854715202004e-14*
-        (gamma > 10.0 && loss < 0.5 ? 2.0*sqrt(fmin(1.0, at_one))/whole : 0.125*size2);
-    const double a_off = 1.5777218104420236e-30*sqrt(at_minus_one*gamma);
+    const double turn_off = gamma > 10.0 ? 8.881784197001252e-16*
+        (gamma > 10.0 ? 1.0/sqrt(gamma) : 1.0) : 0.0;
+    const double size2 = m2 + together + fabs(m0), near = sqrt(fmin(1.0, at_minus_one));
+    const double near2 = sqrt(fmin(1.0, at_one)), whole = gamma == 0.0 ? 1.0 : gamma;
+    const double apart_off = near*(7.105427357601002e-15*size2 + 2.0*turn_off);
+    const double n1_off = near2*turn_off + 1.4210854715202004e-14*
+        (gamma > 10.0 && loss < 0.5 ? 2.0*near2/whole : 0.125*size2);
+    const double a_off = 1.5777218104420236e-30*sqrt(at_minus_one*gamma), ends = m2 + fabs(m0);
     const double apart_one = (gamma - alpha)*(alpha + gamma), even = together*together;
     const double even2 = together*(m0 + m2), linear = size - even2, push = alpha*alpha;
     const double near0 = apart_one*even;
     const double near1 = -at_one*(2.0 - loss) - force*(together*together) - linear*push + lost;
-    const double near2 = -force*linear - loss - push*square + 1.0, near3 = -force*square;
-    const double most = at_one*(2.0 - loss) + lost + push*(size + fabs(even2)) +
-        (together*together)*fabs(force);
-    const double blurred = n1_off*(n1_off + 2.0*fabs(across)), pull = fabs(apart*wall_far);
+    const double near22 = -force*linear - loss - push*square + 1.0, near3 = -force*square;
+    const double cross = size + fabs(even2), bent = cross*fabs(force) + push*fabs(square) + 1.0;
+    const double most = at_one*(2.0 - loss) + cross*push + lost + (together*together)*fabs(force);
+    const double blurred = n1_off*(n1_off + 2.0*fabs(across));
+    const double cross_off = blurred + together*turn_off, pull = fabs(apart*wall_far);
     const double end_off = a_off + apart_off*fabs(wall_far) + 1.7763568394002505e-15*at_minus_one +
         1.7763568394002505e-15*pull;
     const double end_apart = fabs(at_minus_one - pull) - end_off;
     const double end_least = end_apart*(at_minus_one + pull);
-    const double room = (alpha*alpha)*blurred + 3.552713678800501e-15*most;
-    const double product = 4.0*near0*near2, pushed_ = apart*wall_far, even3 = apart*(m0 + m2);
-    const double linear2 = size - even3, push2 = wall_far*wall_far;
+    const double room = (alpha*alpha)*cross_off + 3.552713678800501e-15*most;
+    const double product = 4.0*near0*near22, outer = near1*near3, pushed_ = apart*wall_far;
+    const double even3 = apart*(m0 + m2), linear2 = size - even3, push2 = wall_far*wall_far;
     const double far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_);
     const double far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear2*push2 + lost;
     const double far2 = force*linear2 - loss - push2*square + 1.0, far3 = force*square;
-    const double most2 = (apart*apart)*fabs(force) + at_minus_one*(2.0 - loss) + lost + push2*
-        (size + fabs(even3));
-    const double even4 = apart_off*(m2 + fabs(m0));
+    const double cross2 = size + fabs(even3), bent2 = cross2*fabs(force) + push2*fabs(square) + 1.0;
+    const double most2 = (apart*apart)*fabs(force) + at_minus_one*(2.0 - loss) + cross2*push2 +
+        lost;
+    const double cross_off2 = apart_off*ends + blurred + turn_off*fabs(apart);
     const double room2 = 2.0*a_off + apart_off*(apart_off + 2.0*fabs(apart))*fabs(force) +
-        3.552713678800501e-15*most2 + (wall_far*wall_far)*(blurred + even4);
-    const double product2 = 4.0*far0*far2;
+        cross_off2*(wall_far*wall_far) + 3.552713678800501e-15*most2;
+    const double product2 = 4.0*far0*far2, outer2 = far1*far3;
+    const double base = 1.7763568394002505e-14*bent2 + 5.0*cross_off2*fabs(force) + 5.0*ends*
+        turn_off*(wall_far*wall_far);
+    const double base2 = 5.0*(alpha*alpha)*ends*turn_off + 1.7763568394002505e-14*bent + 5.0*
+        cross_off*fabs(force);
     if ((((stiffest > 0.0 && stiffest < 3.8725919148493183e-121) || loss +
         strength < 3.8725919148493183e-121) && strength > 0.0) ||
         (end_least <= 8.0*room2 + 128.0*fabs(far3) && product2 >= 0.0 && product2 <= room2*room2 &&
-        room2 >= fabs(far1)) || (fabs(near0) <= 8.0*room + 128.0*fabs(near3) && product >= 0.0 &&
-        product <= room*room && room >= fabs(near1)) || end_apart <= 0.0) {
+        room2 >= fabs(far1)) || (fabs(far1) <= 1.2789769243681803e-13*bent2 + 36.0*cross_off2*
+        fabs(force) + 36.0*ends*turn_off*(wall_far*wall_far) && fabs(far2) <= 2.842170943040401e-14*
+        bent2 + 8.0*cross_off2*fabs(force) + 8.0*ends*turn_off*(wall_far*wall_far) &&
+        outer2 >= 0.0 && outer2 <= base*base) ||
+        (fabs(near0) <= 8.0*room + 128.0*fabs(near3) && product >= 0.0 && product <= room*room &&
+        room >= fabs(near1)) || (fabs(near1) <= 36.0*(alpha*alpha)*ends*turn_off +
+        1.2789769243681803e-13*bent + 36.0*cross_off*fabs(force) && fabs(near22) <= 8.0*
+        (alpha*alpha)*ends*turn_off + 2.842170943040401e-14*bent + 8.0*cross_off*fabs(force) &&
+        outer >= 0.0 && outer <= base2*base2) || end_apart <= 0.0) {
         return -1.0;
     }
     const double middle = 2.0*at_one/(2.0 - loss), rest = 2.0*at_minus_one/(2.0 - loss);
@@ -1028,10 +1046,10 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
         (apart > 0.0 ? (across >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
     const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, apart_off, n1_off,
         a_off, middle, rest};
-    const double total = ((((((near2 == 0.0 && near3 < 0.0) || near2 < 0.0) && near1 == 0.0) ||
+    const double total = ((((((near22 == 0.0 && near3 < 0.0) || near22 < 0.0) && near1 == 0.0) ||
         near1 < 0.0) && near0 == 0.0) || near0 < 0.0 ? (alpha > 0.0 ? 0.0 : side) : 0.0) +
         zone_turns(&loop, far0, far1, far2, far3, zone, two2, far0, after, 2.0) +
-        zone_turns(&loop, near0, near1, near2, near3, zone, one2, near0, before, zone) +
+        zone_turns(&loop, near0, near1, near22, near3, zone, one2, near0, before, zone) +
         zone_turns(&loop, own0, own1, own2, own3, -one2, two2, before, after, 1.0);
     const double total2 = total - ((((((far2 == 0.0 && far3 < 0.0) || far2 < 0.0) &&
         far1 == 0.0) || far1 < 0.0) && far0 == 0.0) || far0 < 0.0 ? end : 0.0);
@@ -1045,39 +1063,56 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
     const float strength = fabsf(alpha) + fabsf(beta), stiffest = fmaxf(gamma, fabsf(alpha));
     const float slope = alpha + beta, wall_far = alpha + 2.0f*beta, force = beta*slope;
     const float lost = loss*loss, square = m0*m2, size = across*across, at_one = gamma*together;
-    const float size2 = m2 + together + fabsf(m0), near_half = sqrtf(fminf(1.0f, at_minus_one));
-    const float whole = gamma == 0.0f ? 1.0f : gamma, apart_off = 3.8146973e-06f*near_half*size2;
-    const float n1_off = 7.6293945e-06f*(gamma > 10.0f && loss < 0.5f ? 2.0f*
-        sqrtf(fminf(1.0f, at_one))/whole : 0.125f*size2);
-    const float a_off = 4.5474735e-13f*sqrtf(at_minus_one*gamma);
+    const float turn_off = gamma > 10.0f ? 4.7683716e-07f*
+        (gamma > 10.0f ? 1.0f/sqrtf(gamma) : 1.0f) : 0.0f;
+    const float size2 = m2 + together + fabsf(m0), near = sqrtf(fminf(1.0f, at_minus_one));
+    const float near2 = sqrtf(fminf(1.0f, at_one)), whole = gamma == 0.0f ? 1.0f : gamma;
+    const float apart_off = near*(3.8146973e-06f*size2 + 2.0f*turn_off);
+    const float n1_off = near2*turn_off + 7.6293945e-06f*
+        (gamma > 10.0f && loss < 0.5f ? 2.0f*near2/whole : 0.125f*size2);
+    const float a_off = 4.5474735e-13f*sqrtf(at_minus_one*gamma), ends = m2 + fabsf(m0);
     const float apart_one = (gamma - alpha)*(alpha + gamma), even = together*together;
     const float even2 = together*(m0 + m2), linear = size - even2, push = alpha*alpha;
     const float near0 = apart_one*even;
     const float near1 = -at_one*(2.0f - loss) - force*(together*together) - linear*push + lost;
-    const float near2 = -force*linear - loss - push*square + 1.0f, near3 = -force*square;
-    const float most = at_one*(2.0f - loss) + lost + push*(size + fabsf(even2)) +
-        (together*together)*fabsf(force);
-    const float blurred = n1_off*(n1_off + 2.0f*fabsf(across)), pull = fabsf(apart*wall_far);
+    const float near22 = -force*linear - loss - push*square + 1.0f, near3 = -force*square;
+    const float cross = size + fabsf(even2), bent = cross*fabsf(force) + push*fabsf(square) + 1.0f;
+    const float most = at_one*(2.0f - loss) + cross*push + lost + (together*together)*fabsf(force);
+    const float blurred = n1_off*(n1_off + 2.0f*fabsf(across));
+    const float cross_off = blurred + together*turn_off, pull = fabsf(apart*wall_far);
     const float end_off = a_off + apart_off*fabsf(wall_far) + 9.536743e-07f*at_minus_one +
         9.536743e-07f*pull;
     const float end_apart = fabsf(at_minus_one - pull) - end_off;
     const float end_least = end_apart*(at_minus_one + pull);
-    const float room = (alpha*alpha)*blurred + 1.9073486e-06f*most, product = 4.0f*near0*near2;
-    const float pushed_ = apart*wall_far, even3 = apart*(m0 + m2), linear2 = size - even3;
-    const float push2 = wall_far*wall_far, far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_);
+    const float room = (alpha*alpha)*cross_off + 1.9073486e-06f*most, product = 4.0f*near0*near22;
+    const float outer = near1*near3, pushed_ = apart*wall_far, even3 = apart*(m0 + m2);
+    const float linear2 = size - even3, push2 = wall_far*wall_far;
+    const float far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_);
     const float far1 = (apart*apart)*force - at_minus_one*(2.0f - loss) - linear2*push2 + lost;
     const float far2 = force*linear2 - loss - push2*square + 1.0f, far3 = force*square;
-    const float most2 = (apart*apart)*fabsf(force) + at_minus_one*(2.0f - loss) + lost + push2*
-        (size + fabsf(even3));
-    const float even4 = apart_off*(m2 + fabsf(m0));
+    const float cross2 = size + fabsf(even3);
+    const float bent2 = cross2*fabsf(force) + push2*fabsf(square) + 1.0f;
+    const float most2 = (apart*apart)*fabsf(force) + at_minus_one*(2.0f - loss) + cross2*push2 +
+        lost;
+    const float cross_off2 = apart_off*ends + blurred + turn_off*fabsf(apart);
     const float room2 = 2.0f*a_off + apart_off*(apart_off + 2.0f*fabsf(apart))*fabsf(force) +
-        1.9073486e-06f*most2 + (wall_far*wall_far)*(blurred + even4);
-    const float product2 = 4.0f*far0*far2;
+        cross_off2*(wall_far*wall_far) + 1.9073486e-06f*most2;
+    const float product2 = 4.0f*far0*far2, outer2 = far1*far3;
+    const float base = 9.536743e-06f*bent2 + 5.0f*cross_off2*fabsf(force) + 5.0f*ends*turn_off*
+        (wall_far*wall_far);
+    const float base2 = 5.0f*(alpha*alpha)*ends*turn_off + 9.536743e-06f*bent + 5.0f*cross_off*
+        fabsf(force);
     if ((((stiffest > 0.0f && stiffest < 9.094947e-13f) || loss + strength < 9.094947e-13f) &&
         strength > 0.0f) || (end_least <= 8.0f*room2 + 128.0f*fabsf(far3) && product2 >= 0.0f &&
         product2 <= room2*room2 && room2 >= fabsf(far1)) ||
+        (fabsf(far1) <= 6.866455e-05f*bent2 + 36.0f*cross_off2*fabsf(force) + 36.0f*ends*turn_off*
+        (wall_far*wall_far) && fabsf(far2) <= 1.5258789e-05f*bent2 + 8.0f*cross_off2*fabsf(force) +
+        8.0f*ends*turn_off*(wall_far*wall_far) && outer2 >= 0.0f && outer2 <= base*base) ||
         (fabsf(near0) <= 8.0f*room + 128.0f*fabsf(near3) && product >= 0.0f && product <= room*
-        room && room >= fabsf(near1)) || end_apart <= 0.0f) {
+        room && room >= fabsf(near1)) || (fabsf(near1) <= 36.0f*(alpha*alpha)*ends*turn_off +
+        6.866455e-05f*bent + 36.0f*cross_off*fabsf(force) && fabsf(near22) <= 8.0f*(alpha*alpha)*
+        ends*turn_off + 1.5258789e-05f*bent + 8.0f*cross_off*fabsf(force) && outer >= 0.0f &&
+        outer <= base2*base2) || end_apart <= 0.0f) {
         return -1.0f;
     }
     const float middle = 2.0f*at_one/(2.0f - loss), rest = 2.0f*at_minus_one/(2.0f - loss);
@@ -1095,10 +1130,11 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
         (apart > 0.0f ? (across >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
     const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, apart_off, n1_off,
         a_off, middle, rest};
-    const float total = ((((((near2 == 0.0f && near3 < 0.0f) || near2 < 0.0f) && near1 == 0.0f) ||
-        near1 < 0.0f) && near0 == 0.0f) || near0 < 0.0f ? (alpha > 0.0f ? 0.0f : side) : 0.0f) +
+    const float total = ((((((near22 == 0.0f && near3 < 0.0f) || near22 < 0.0f) &&
+        near1 == 0.0f) || near1 < 0.0f) && near0 == 0.0f) || near0 < 0.0f ?
+        (alpha > 0.0f ? 0.0f : side) : 0.0f) +
         zone_turns(&loop, far0, far1, far2, far3, zone, two2, far0, after, 2.0f) +
-        zone_turns(&loop, near0, near1, near2, near3, zone, one2, near0, before, zone) +
+        zone_turns(&loop, near0, near1, near22, near3, zone, one2, near0, before, zone) +
         zone_turns(&loop, own0, own1, own2, own3, -one2, two2, before, after, 1.0f);
     const float total2 = total - ((((((far2 == 0.0f && far3 < 0.0f) || far2 < 0.0f) &&
         far1 == 0.0f) || far1 < 0.0f) && far0 == 0.0f) || far0 < 0.0f ? end : 0.0f);

@@ -1334,12 +1334,15 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
 def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together, apart,
     across):
     """roots outside the unit circle behind a fractional delay, -1 where that is not certain"""
-    number, number2, number3, number4, number5, number6 = (
-        (3.814697265625e-06, 7.62939453125e-06, 4.547473508864641e-13, 9.5367431640625e-07,
-        1.9073486328125e-06, 9.094947017729282e-13) if alpha.dtype == xp.float32 else (
-        7.105427357601002e-15, 1.4210854715202004e-14, 1.5777218104420236e-30,
-        1.7763568394002505e-15, 3.552713678800501e-15, 3.8725919148493183e-121)
-    )
+    (
+        number, number2, number3, number4, number5, number6, number7, number8, number9, number10
+    ) = (4.76837158203125e-07, 3.814697265625e-06, 7.62939453125e-06, 4.547473508864641e-13,
+        9.5367431640625e-07, 1.9073486328125e-06, 9.5367431640625e-06, 9.094947017729282e-13,
+        6.866455078125e-05, 1.52587890625e-05) if alpha.dtype == xp.float32 else (
+        8.881784197001252e-16, 7.105427357601002e-15, 1.4210854715202004e-14,
+        1.5777218104420236e-30, 1.7763568394002505e-15, 3.552713678800501e-15,
+        1.7763568394002505e-14, 3.8725919148493183e-121, 1.2789769243681803e-13,
+        2.842170943040401e-14)
     def no(across, alpha, apart, at_minus_one, beta, d, gamma, loss, m0, m2, together):
         strength = xp.abs(alpha) + xp.abs(beta)
         stiffest = xp.where(gamma > xp.abs(alpha), gamma, xp.abs(alpha))
@@ -1350,33 +1353,38 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, toge
         square = m0*m2
         size = (across*across)
         at_one = gamma*together
+        case1 = gamma > 10.0
+        turn_off = xp.where(case1, number*xp.where(case1, 1.0/square_root(xp, gamma), 1.0), 0.0)
         size2 = m2 + together + xp.abs(m0)
-        near_half = square_root(xp, xp.where(1.0 < at_minus_one, 1.0, at_minus_one))
+        near = square_root(xp, xp.where(1.0 < at_minus_one, 1.0, at_minus_one))
+        near2 = square_root(xp, xp.where(1.0 < at_one, 1.0, at_one))
         whole = xp.where(gamma == 0.0, 1.0, gamma)
-        apart_off = number*near_half*size2
-        n1_off = number2*xp.where((gamma > 10.0) & (loss < 0.5), 2.0*
-            square_root(xp, xp.where(1.0 < at_one, 1.0, at_one))/whole, 0.125*size2)
-        a_off = number3*square_root(xp, at_minus_one*gamma)
+        apart_off = near*(number2*size2 + 2.0*turn_off)
+        n1_off = near2*turn_off + number3*xp.where((gamma > 10.0) & (loss < 0.5), 2.0*near2/whole,
+            0.125*size2)
+        a_off = number4*square_root(xp, at_minus_one*gamma)
+        ends = m2 + xp.abs(m0)
         apart_one = (gamma - alpha)*(alpha + gamma)
         even = (together*together)
         even2 = together*(m0 + m2)
         linear = size - even2
         push = (alpha*alpha)
-        near0 = apart_one*even
-        near1 = lost - at_one*(2.0 - loss) - force*(together*together) - linear*push
-        near2 = 1.0 - force*linear - loss - push*square
+        near2 = apart_one*even
+        near = lost - at_one*(2.0 - loss) - force*(together*together) - linear*push
+        near22 = 1.0 - force*linear - loss - push*square
         near3 = -force*square
-        most_ = (
-            at_one*(2.0 - loss) + lost + push*(size + xp.abs(even2)) + (together*together)*
-            xp.abs(force)
-        )
+        cross = size + xp.abs(even2)
+        bent = cross*xp.abs(force) + push*xp.abs(square) + 1.0
+        most_ = at_one*(2.0 - loss) + cross*push + lost + (together*together)*xp.abs(force)
         blurred = n1_off*(n1_off + 2.0*xp.abs(across))
+        cross_off = blurred + together*turn_off
         pull = xp.abs(apart*wall_far)
-        end_off = a_off + apart_off*xp.abs(wall_far) + number4*at_minus_one + number4*pull
+        end_off = a_off + apart_off*xp.abs(wall_far) + number5*at_minus_one + number5*pull
         end_apart = xp.abs(at_minus_one - pull) - end_off
         end_least = end_apart*(at_minus_one + pull)
-        room = (alpha*alpha)*blurred + number5*most_
-        product = 4.0*near0*near2
+        room = (alpha*alpha)*cross_off + number6*most_
+        product = 4.0*near2*near22
+        outer = near*near3
         pushed_ = apart*wall_far
         even2 = apart*(m0 + m2)
         linear = size - even2
@@ -1385,19 +1393,21 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, toge
         far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear*push + lost
         far2 = force*linear - loss - push*square + 1.0
         far3 = force*square
-        most_ = (
-            (apart*apart)*xp.abs(force) + at_minus_one*(2.0 - loss) + lost + push*
-            (size + xp.abs(even2))
-        )
-        even2 = apart_off*(m2 + xp.abs(m0))
+        cross = size + xp.abs(even2)
+        bent2 = cross*xp.abs(force) + push*xp.abs(square) + 1.0
+        most_ = (apart*apart)*xp.abs(force) + at_minus_one*(2.0 - loss) + cross*push + lost
+        cross_off2 = apart_off*ends + blurred + turn_off*xp.abs(apart)
         room2 = (
-            2.0*a_off + apart_off*(apart_off + 2.0*xp.abs(apart))*xp.abs(force) + number5*most_ +
-            (wall_far*wall_far)*(blurred + even2)
+            2.0*a_off + apart_off*(apart_off + 2.0*xp.abs(apart))*xp.abs(force) + cross_off2*
+            (wall_far*wall_far) + number6*most_
         )
         product2 = 4.0*far0*far2
+        outer2 = far1*far3
+        base = number7*bent2 + 5.0*cross_off2*xp.abs(force) + 5.0*ends*turn_off*(wall_far*wall_far)
+        base2 = 5.0*(alpha*alpha)*ends*turn_off + number7*bent + 5.0*cross_off*xp.abs(force)
 
         def no(a_off, across, alpha, apart, apart_off, at_minus_one, at_one, d, far0, far1, far2,
-            far3, force, loss, lost, m0, m2, n1_off, near0, near1, near2, near3, size, slope,
+            far3, force, loss, lost, m0, m2, n1_off, near0, near1, near22, near3, size, slope,
             square, together, wall_far):
             middle = 2.0*at_one/(2.0 - loss)
             rest = 2.0*at_minus_one/(2.0 - loss)
@@ -1423,13 +1433,13 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, toge
                 0.0) - 3.0
             )
             total = (
-                xp.where(((((((near2 == 0.0) & (near3 < 0.0)) | (near2 < 0.0)) & (near1 == 0.0)) |
-                (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0),
+                xp.where(((((((near22 == 0.0) & (near3 < 0.0)) | (near22 < 0.0)) &
+                (near1 == 0.0)) | (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0),
                 xp.where(alpha > 0.0, 0.0, side), 0.0) +
                 zone_turns(xp, far0, far1, far2, far3, xp.full_like(a_off, 0.0), two, far0,
                 after, xp.full_like(a_off, 2.0), alpha, slope, wall_far, d, across, loss,
                 together, apart, apart_off, n1_off, a_off, middle, rest) +
-                zone_turns(xp, near0, near1, near2, near3, xp.full_like(a_off, 0.0), one,
+                zone_turns(xp, near0, near1, near22, near3, xp.full_like(a_off, 0.0), one,
                 near0, before, xp.full_like(a_off, 0.0), alpha, slope, wall_far, d, across,
                 loss, together, apart, apart_off, n1_off, a_off, middle, rest) +
                 zone_turns(xp, own0, own1, own2, own3, -one, two, before, after,
@@ -1440,16 +1450,22 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, toge
                 (far1 == 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
             return xp.where(total >= 0.0, total, -1.0)
 
-        return select(xp, ((((stiffest > 0.0) & (stiffest < number6)) |
-            (loss + strength < number6)) & (strength > 0.0)) |
+        return select(xp, ((((stiffest > 0.0) & (stiffest < number8)) |
+            (loss + strength < number8)) & (strength > 0.0)) |
             ((end_least <= 8.0*room2 + 128.0*xp.abs(far3)) & (product2 >= 0.0) &
             (product2 <= room2*room2) & (room2 >= xp.abs(far1))) |
-            ((product >= 0.0) & (product <= room*room) & (room >= xp.abs(near1)) &
-            (xp.abs(near0) <= 8.0*room + 128.0*xp.abs(near3))) | (end_apart <= 0.0),
-            lambda end_apart: -1.0, (end_apart,), no,
-            (a_off, across, alpha, apart, apart_off, at_minus_one, at_one, d, far0, far1, far2,
-            far3, force, loss, lost, m0, m2, n1_off, near0, near1, near2, near3, size, slope,
-            square, together, wall_far))
+            ((outer >= 0.0) & (outer <= base2*base2) &
+            (xp.abs(near) <= 36.0*(alpha*alpha)*ends*turn_off + number9*bent + 36.0*cross_off*
+            xp.abs(force)) & (xp.abs(near22) <= 8.0*(alpha*alpha)*ends*turn_off + number10*bent +
+            8.0*cross_off*xp.abs(force))) | ((outer2 >= 0.0) & (outer2 <= base*base) &
+            (xp.abs(far1) <= number9*bent2 + 36.0*cross_off2*xp.abs(force) + 36.0*ends*turn_off*
+            (wall_far*wall_far)) & (xp.abs(far2) <= number10*bent2 + 8.0*cross_off2*xp.abs(force) +
+            8.0*ends*turn_off*(wall_far*wall_far))) |
+            ((product >= 0.0) & (product <= room*room) & (room >= xp.abs(near)) &
+            (xp.abs(near2) <= 8.0*room + 128.0*xp.abs(near3))) | (end_apart <= 0.0),
+            lambda alpha: -1.0, (alpha,), no, (a_off, across, alpha, apart, apart_off,
+            at_minus_one, at_one, d, far0, far1, far2, far3, force, loss, lost, m0, m2, n1_off,
+            near2, near, near22, near3, size, slope, square, together, wall_far))
 
     return select(xp, (alpha == 0.0) & (beta == 0.0), lambda alpha: 0.0, (alpha,), no,
         (across, alpha, apart, at_minus_one, beta, d, gamma, loss, m0, m2, together))

@@ -862,13 +862,17 @@ def fractional_roots(alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together
     square = m0*m2
     size = across*across
     at_one = gamma*together
+    turn_off = 8.881784197001252e-16*(1.0/ \
+        sqrt(gamma) if gamma > 10.0 else 1.0) if gamma > 10.0 else 0.0
     size2 = m2 + together + abs(m0)
-    near_half = sqrt(min(1.0, at_minus_one))
+    near = sqrt(min(1.0, at_minus_one))
+    near2 = sqrt(min(1.0, at_one))
     whole = 1.0 if gamma == 0.0 else gamma
-    apart_off = 7.105427357601002e-15*near_half*size2
-    n1_off = 1.4210854715202004e-14*(2.0*sqrt(min(1.0, at_one))/ \
-        whole if gamma > 10.0 and loss < 0.5 else 0.125*size2)
+    apart_off = near*(7.105427357601002e-15*size2 + 2.0*turn_off)
+    n1_off = near2*turn_off + 1.4210854715202004e-14* \
+        (2.0*near2/whole if gamma > 10.0 and loss < 0.5 else 0.125*size2)
     a_off = 1.5777218104420236e-30*sqrt(at_minus_one*gamma)
+    ends = m2 + abs(m0)
     apart_one = (gamma - alpha)*(alpha + gamma)
     even = together*together
     even2 = together*(m0 + m2)
@@ -876,17 +880,21 @@ def fractional_roots(alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together
     push = alpha*alpha
     near0 = apart_one*even
     near1 = -at_one*(2.0 - loss) - force*(together*together) - linear*push + lost
-    near2 = -force*linear - loss - push*square + 1.0
+    near22 = -force*linear - loss - push*square + 1.0
     near3 = -force*square
-    most = at_one*(2.0 - loss) + lost + push*(size + abs(even2)) + (together*together)*abs(force)
+    cross = size + abs(even2)
+    bent = cross*abs(force) + push*abs(square) + 1.0
+    most = at_one*(2.0 - loss) + cross*push + lost + (together*together)*abs(force)
     blurred = n1_off*(n1_off + 2.0*abs(across))
+    cross_off = blurred + together*turn_off
     pull = abs(apart*wall_far)
     end_off = a_off + apart_off*abs(wall_far) + 1.7763568394002505e-15*at_minus_one + \
         1.7763568394002505e-15*pull
     end_apart = abs(at_minus_one - pull) - end_off
     end_least = end_apart*(at_minus_one + pull)
-    room = (alpha*alpha)*blurred + 3.552713678800501e-15*most
-    product = 4.0*near0*near2
+    room = (alpha*alpha)*cross_off + 3.552713678800501e-15*most
+    product = 4.0*near0*near22
+    outer = near1*near3
     pushed_ = apart*wall_far
     even3 = apart*(m0 + m2)
     linear2 = size - even3
@@ -895,15 +903,29 @@ def fractional_roots(alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together
     far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear2*push2 + lost
     far2 = force*linear2 - loss - push2*square + 1.0
     far3 = force*square
-    most2 = (apart*apart)*abs(force) + at_minus_one*(2.0 - loss) + lost + push2*(size + abs(even3))
-    even4 = apart_off*(m2 + abs(m0))
-    room2 = 2.0*a_off + apart_off*(apart_off + 2.0*abs(apart))*abs(force) + 3.552713678800501e-15* \
-        most2 + (wall_far*wall_far)*(blurred + even4)
+    cross2 = size + abs(even3)
+    bent2 = cross2*abs(force) + push2*abs(square) + 1.0
+    most2 = (apart*apart)*abs(force) + at_minus_one*(2.0 - loss) + cross2*push2 + lost
+    cross_off2 = apart_off*ends + blurred + turn_off*abs(apart)
+    room2 = 2.0*a_off + apart_off*(apart_off + 2.0*abs(apart))*abs(force) + cross_off2* \
+        (wall_far*wall_far) + 3.552713678800501e-15*most2
     product2 = 4.0*far0*far2
+    outer2 = far1*far3
+    base = 1.7763568394002505e-14*bent2 + 5.0*cross_off2*abs(force) + 5.0*ends*turn_off* \
+        (wall_far*wall_far)
+    base2 = 5.0*(alpha*alpha)*ends*turn_off + 1.7763568394002505e-14*bent + 5.0*cross_off*abs(force)
     if (((stiffest > 0.0 and stiffest < 3.8725919148493183e-121) or loss + \
-        strength < 3.8725919148493183e-121) and strength > 0.0) or (abs(near0) <= 8.0*room + \
-        128.0*abs(near3) and product >= 0.0 and product <= room*room and room >= abs(near1)) or ( \
-        end_least <= 8.0*room2 + 128.0*abs(far3) and product2 >= 0.0 and product2 <= room2* \
+        strength < 3.8725919148493183e-121) and strength > 0.0) or ( \
+        abs(far1) <= 1.2789769243681803e-13*bent2 + 36.0*cross_off2*abs(force) + 36.0*ends* \
+        turn_off*(wall_far*wall_far) and abs(far2) <= 2.842170943040401e-14*bent2 + 8.0* \
+        cross_off2*abs(force) + 8.0*ends*turn_off* \
+        (wall_far*wall_far) and outer2 >= 0.0 and outer2 <= base*base) or (abs(near0) <= 8.0* \
+        room + 128.0*abs(near3) and product >= 0.0 and product <= room* \
+        room and room >= abs(near1)) or (abs(near1) <= 36.0*(alpha*alpha)*ends*turn_off + \
+        1.2789769243681803e-13*bent + 36.0*cross_off*abs(force) and abs(near22) <= 8.0* \
+        (alpha*alpha)*ends*turn_off + 2.842170943040401e-14*bent + 8.0*cross_off* \
+        abs(force) and outer >= 0.0 and outer <= base2*base2) or (end_least <= 8.0*room2 + 128.0* \
+        abs(far3) and product2 >= 0.0 and product2 <= room2* \
         room2 and room2 >= abs(far1)) or end_apart <= 0.0:
       FractionalRoots_out = -1.0
     else:
@@ -930,7 +952,7 @@ def fractional_roots(alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together
           ((1.0 if across >= 0.0 else -1.0) if apart > 0.0 else 0.0) - 3.0
       total = ((0.0 if alpha > 0.0 else side) if ( \
           (((( \
-          near2 == 0.0 and near3 < 0.0) or near2 < 0.0) and near1 == 0.0) or near1 < 0.0) and near0 == 0.0) or near0 < 0.0 else 0.0) + zone_turns(far0, far1, far2, far3, zone, two2, far0, after, 2.0, alpha, slope, wall_far, d, across, loss, together, apart, apart_off, n1_off, a_off, middle, rest) + zone_turns(near0, near1, near2, near3, zone, one2, near0, before, zone, alpha, slope, wall_far, d, across, loss, together, apart, apart_off, n1_off, a_off, middle, rest) + zone_turns(own0, own1, own2, own3, -one2, two2, before, after, 1.0, alpha, slope, wall_far, d, across, loss, together, apart, apart_off, n1_off, a_off, middle, rest)
+          near22 == 0.0 and near3 < 0.0) or near22 < 0.0) and near1 == 0.0) or near1 < 0.0) and near0 == 0.0) or near0 < 0.0 else 0.0) + zone_turns(far0, far1, far2, far3, zone, two2, far0, after, 2.0, alpha, slope, wall_far, d, across, loss, together, apart, apart_off, n1_off, a_off, middle, rest) + zone_turns(near0, near1, near22, near3, zone, one2, near0, before, zone, alpha, slope, wall_far, d, across, loss, together, apart, apart_off, n1_off, a_off, middle, rest) + zone_turns(own0, own1, own2, own3, -one2, two2, before, after, 1.0, alpha, slope, wall_far, d, across, loss, together, apart, apart_off, n1_off, a_off, middle, rest)
       total2 = total - (end if ((((( \
           far2 == 0.0 and far3 < 0.0) or far2 < 0.0) and far1 == 0.0) or far1 < 0.0) and far0 == 0.0) or far0 < 0.0 else 0.0)
       if total2 >= 0.0:

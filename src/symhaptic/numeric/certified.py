@@ -125,13 +125,17 @@ _PASSIVE_BITS = (128, 256, 512, 1024)
 def passively(alpha: Any, beta: Any, delta: Any, delay: Any) -> bool | None:
     """Whether the margin is not negative, in balls of growing precision; None if not decided.
 
-    Without delay the wall needs alpha/2 + abs(beta), which is compared exactly.
+    Without delay the wall needs alpha/2 + abs(beta), which is compared exactly, as are the limits
+    of what it needs at the angles 0 and pi.
     """
     import flint
 
+    wall = [flint.fmpq(*_ratio(v)) for v in (alpha, beta, delta, delay)]
     if delay == 0:
-        stiffness, damping, device = (flint.fmpq(*_ratio(v)) for v in (alpha, beta, delta))
+        stiffness, damping, device, _ = wall
         return bool(alpha >= 0 and stiffness + 2 * abs(damping) <= 2 * device)
+    if alpha < 0 or _loses_at_an_end(*wall):
+        return False
 
     from symhaptic.balls.implicit import passivity_margin
 
@@ -144,6 +148,19 @@ def passively(alpha: Any, beta: Any, delta: Any, delay: Any) -> bool | None:
             if margin >= 0 or margin < 0:
                 return bool(margin >= 0)
     return None
+
+
+def _loses_at_an_end(alpha: Any, beta: Any, delta: Any, delay: Any) -> bool:
+    """Whether the margin is negative in the limit at the angle 0 or pi, of rational numbers."""
+    whole = int(delay.floor())
+    part = delay - whole
+    held = part * (1 - part)
+    turned = (1 - 2 * part) * (beta + alpha / 2)
+    ends = (
+        (delta + beta - alpha * (2 * delay + 1) / 2, alpha),
+        (delta + turned if whole % 2 else delta - turned, alpha + 2 * beta),
+    )
+    return any(left < 0 or 4 * delta * left < held * force**2 for left, force in ends)
 
 
 def of_walls(verdict: Callable[[Fraction, Fraction], bool | None], K: Any, B: Any) -> Any:

@@ -242,9 +242,9 @@ def is_passive(
     Walls on the boundary are passive, too; the strict sign of (4) of the paper excludes them.  Only
     the damping of the device counts, not that of an arm, (3).
 
-    A margin that is within rounding of 0 is enclosed in balls, which takes some milliseconds a
-    wall.  If these do not tell its sign, or it is traced, or of a fractional delay with
-    ``sheet="principal"``, the wall counts as not passive.
+    A margin that is within rounding of 0 is enclosed in balls, which takes from some milliseconds
+    to some seconds a wall.  If these do not tell its sign, or it is traced, or of a fractional
+    delay with ``sheet="principal"``, the wall counts as not passive.
 
     Examples
     --------

@@ -31,7 +31,9 @@ from symhaptic.export.routines.roots import (
     m2,
     nearest_point,
     phase_turns,
+    rounded_turn,
     together,
+    unit,
 )
 from symhaptic.forms.root_count import FRACTIONAL_ARGUMENTS
 
@@ -180,7 +182,9 @@ def outward(given, more, precision):
     size = do("size", 4 * (1 + delta + gamma))
     sums_by, gap_by = near(early + late, size), near(early - late, size)
     ends = do("ends", m2 + Abs(m0))
-    sums, gap, force = near(m2 + m0, ends), near(given[-1], ends), near(together)
+    turn_off = rounded_turn(unit(precision))
+    sums, gap = (near(v, ends).widened(turn_off) for v in (m2 + m0, given[-1]))
+    force = near(together)
     tilt = 2 * (gap * gap_by) - force * sums_by
     cross, twist = gap * gap - force * sums, sums_by * gap - gap_by * sums
     sums = sums.widened(half * (sums_by.size + half))
@@ -192,7 +196,7 @@ def outward(given, more, precision):
     cross = cross.widened(half * (tilt.size + half * turn / 2))
     tilt = tilt.widened(half * turn)
     twist = twist.widened(half * (2 * gap.size + bend * sums.size))
-    both = near(m2 * m0).widened(half / 8)
+    both = near(m2 * m0).widened(half / 8 + ends * turn_off)
     # the surplus |A|^2 - |M W|^2
     sizes = do("wall_size", Abs(alpha) + 2 * Abs(beta))
     a, b, slope, far = near(alpha), near(beta), near(slope, sizes), near(far, sizes)

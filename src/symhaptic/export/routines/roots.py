@@ -72,6 +72,19 @@ def _flat(terms, least, size, unit, more=S.Zero):
     return And(Abs(b) <= room, product >= 0, product <= room * room, least <= 2 * takes)
 
 
+def _hides(terms, off):
+    """Whether c + b y + a y^2 + k y^3 may have two roots between which no extremum is found.
+
+    If b and k have one sign and a has the other, b + a y + k y^2 has two roots where a^2 >= 4 b k.
+    The a that is computed is off by at most ``off``, and may have neither this size nor this sign.
+    If it is 8 times as large, the extrema are found.
+    """
+    _, b, a, k = terms
+    least = do("outer", b * k)
+    small = And(Abs(a) <= 8 * off, Abs(b) <= 36 * off)  # those roots are at most 4
+    return And(small, least >= 0, least <= (5 * off) ** 2)
+
+
 def _leads(terms):
     """Whether the wall leads next to the end: the first coefficient that is not 0 is negative."""
     leads = terms[-1] < 0
@@ -494,7 +507,8 @@ def _value(terms, y):
 def _about_end(name, lost, square, size, first, at, top, force, tilt):
     """|A|^2 - |M|^2 |W|^2 about an end, from its value and those of A, M and W there.
 
-    ``square`` is m2 m0, ``size`` (m2 - m0)^2.  And the second coefficient with all terms positive.
+    ``square`` is m2 m0, ``size`` (m2 - m0)^2.  And the second and the third coefficient with all
+    terms positive.
     """
     even = do("even", top * (m2 + m0))
     linear, push = do("linear", size - even), do("push", force**2)
@@ -504,8 +518,10 @@ def _about_end(name, lost, square, size, first, at, top, force, tilt):
         do(f"{name}2", 1 - loss - square * push - linear * tilt),
         do(f"{name}3", -square * tilt),
     )
-    sizes = lost, at * (2 - loss), (size + Abs(even)) * push, top**2 * Abs(tilt)
-    return terms, do("most", sp.Add(*sizes))
+    cross = do("cross", size + Abs(even))
+    sizes = lost, at * (2 - loss), cross * push, top**2 * Abs(tilt)
+    bent = do("bent", 1 + Abs(square) * push + cross * Abs(tilt))
+    return terms, do("most", sp.Add(*sizes)), bent
 
 
 def _about_own(lost, square, size, middle, rest, slope, force, far):
@@ -524,16 +540,32 @@ def _about_own(lost, square, size, middle, rest, slope, force, far):
     )
 
 
-def _blurs(at_one, last):
+def rounded_turn(last):
+    """By how much m2, m0 and m2 + m0 of a stiff device may be off besides their last places.
+
+    The angles that it turns in the parts of a period are products of rounded numbers.  Their errors
+    are as many last places of sqrt(gamma), and m2 and m0 are 1 - cos of them over gamma.
+    """
+    stiff = gamma > _STIFF
+    return do("turn_off", choose(stiff, last / sqrt(choose(stiff, gamma, 1)), 0))
+
+
+def _blurs(at_one, turn_off, last):
     """By how much M(-1) and m2 - m0 may be off: the first near half turns, that near whole ones.
 
     There each term of their sums is as small as the root of A(-1) or of A(1).
     """
     size = do("size", m2 + Abs(m0) + together)
-    near_half = do("near_half", sqrt(Min(at_minus_one, 1)))
+    near_half, near_one = (do("near", sqrt(Min(end, 1))) for end in (at_minus_one, at_one))
     stiff = And(gamma > _STIFF, loss < S.Half)
-    near_whole = choose(stiff, 2 * sqrt(Min(at_one, 1)) / do.nonzero(gamma), size / 8)
-    return do("apart_off", 8 * last * size * near_half), do("n1_off", 16 * last * near_whole)
+    near_whole = choose(stiff, 2 * near_one / do.nonzero(gamma), size / 8)
+    apart_off = do("apart_off", near_half * (8 * last * size + 2 * turn_off))
+    return apart_off, do("n1_off", 16 * last * near_whole + near_one * turn_off)
+
+
+def _unsure(terms, least, sizes, last, off):
+    """Whether roots may be missed; b and a are off by ``off`` besides their last places."""
+    return _flat(terms, least, sizes[0], last, off[0]), _hides(terms, 4 * last * sizes[1] + off[1])
 
 
 @routine(given=FRACTIONAL_ARGUMENTS)
@@ -558,19 +590,24 @@ def expanded(precision):
     slope, force, far = _wall()
     both = do("lost", loss * loss), do("square", m2 * m0), do("size", across * across)
     at_one = do("at_one", gamma * together)
-    apart_off, n1_off = _blurs(at_one, last)
+    turn_off = rounded_turn(last)
+    apart_off, n1_off = _blurs(at_one, turn_off, last)
     a_off = _turned_off(precision)
+    ends = do("ends", m2 + Abs(m0))
     first = do("apart_one", (gamma - alpha) * (gamma + alpha)) * do("even", together * together)
-    near, most = _about_end("near", *both, first, at_one, together, alpha, force)
+    near, *most = _about_end("near", *both, first, at_one, together, alpha, force)
     blurred = do("blurred", (2 * Abs(across) + n1_off) * n1_off)
+    cross_off = do("cross_off", blurred + together * turn_off)
     end_unsure, least = _at_the_end(far, last, a_off, apart_off)
-    unsure = [end_unsure, _flat(near, Abs(near[0]), most, last, blurred * alpha**2)]
+    near_off = cross_off * alpha**2, ends * turn_off * alpha**2 + cross_off * Abs(force)
+    unsure = [end_unsure, *_unsure(near, Abs(near[0]), most, last, near_off)]
     pushed = do("pushed", apart * far)
     first = (at_minus_one - pushed) * (at_minus_one + pushed)
-    end, most = _about_end("far", *both, first, at_minus_one, apart, far, -force)
-    blurred += do("even", apart_off * (m2 + Abs(m0)))
-    more = blurred * far**2 + (2 * Abs(apart) + apart_off) * apart_off * Abs(force)
-    unsure += [_flat(end, least, most, last, more + 2 * a_off)]
+    end, *most = _about_end("far", *both, first, at_minus_one, apart, far, -force)
+    cross_off = do("cross_off", blurred + apart_off * ends + Abs(apart) * turn_off)
+    more = cross_off * far**2 + (2 * Abs(apart) + apart_off) * apart_off * Abs(force)
+    end_off = more + 2 * a_off, ends * turn_off * far**2 + cross_off * Abs(force)
+    unsure += _unsure(end, least, most, last, end_off)
     middle = do("middle", 2 * at_one / (2 - loss))
     rest = do("rest", 2 * at_minus_one / (2 - loss))
     own = _about_own(*both, middle, rest, slope, force, far)
