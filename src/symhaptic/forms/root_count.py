@@ -23,7 +23,7 @@ class WholeRoots(Meant, nargs=10):
     """
 
 
-class FractionalRoots(Meant, nargs=11):
+class FractionalRoots(Meant, nargs=12):
     """roots outside the unit circle behind a delay of l whole periods and a fraction, whose device
     is (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e))
 
@@ -47,11 +47,11 @@ At 1 they are gamma (n1 + n0) and n1 + n0.
 
 
 FRACTIONAL_ARGUMENTS = sp.symbols(
-    "alpha beta d m2 m0 gamma at_minus_one loss together apart across"
+    "alpha beta d m2 m0 gamma at_minus_one loss together apart across delta"
 )
 """Of FractionalRoots: the wall, the whole periods, and the device behind the fraction.
 
-The last two are m2 - m1 + m0 and m2 - m0.
+The last but one and the one before are m2 - m0 and m2 - m1 + m0.
 """
 
 

@@ -204,7 +204,7 @@ def _counted(parts: Parts) -> list[tuple[Expr, Expr]]:
     if parts.delay:
         late = fractional_of(parts).apart, across_of(parts) / 2
         ends = fractional_delay.ends(parts)
-        counts.append(FractionalRoots(*wall, l, *ends, *numbers[2:-1], *late))
+        counts.append(FractionalRoots(*wall, l, *ends, *numbers[2:-1], *late, given[1]))
     return [(count, Stable(count, *wall, *given)) for count in counts]
 
 

@@ -974,13 +974,14 @@ static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, f
 #ifndef SINGLE
 // roots outside the unit circle behind a fractional delay, -1 where that is not certain
 static inline double fractional_roots(double alpha, double beta, double d, double m2, double m0,
-    double gamma, double at_minus_one, double loss, double together, double apart, double across) {
+    double gamma, double at_minus_one, double loss, double together, double apart, double across,
+    double delta) {
     if (alpha == 0.0 && beta == 0.0) { return 0.0; }
     const double strength = fabs(alpha) + fabs(beta), stiffest = fmax(gamma, fabs(alpha));
     const double slope = alpha + beta, wall_far = alpha + 2.0*beta, force = beta*slope;
     const double lost = loss*loss, square = m0*m2, size = across*across, at_one = gamma*together;
-    const double turn_off = gamma > 10.0 ? 8.881784197001252e-16*
-        (gamma > 10.0 ? 1.0/sqrt(gamma) : 1.0) : 0.0;
+    const double turn_off = gamma > 10.0 ? 8.881784197001252e-16/
+        (fmax(1.0, delta)*sqrt(fmax(1.0, gamma))) : 0.0;
     const double size2 = m2 + together + fabs(m0), near = sqrt(fmin(1.0, at_minus_one));
     const double near2 = sqrt(fmin(1.0, at_one)), whole = gamma == 0.0 ? 1.0 : gamma;
     const double apart_off = near*(7.105427357601002e-15*size2 + 2.0*turn_off);
@@ -999,7 +1000,7 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
     const double end_off = a_off + apart_off*fabs(wall_far) + 1.7763568394002505e-15*at_minus_one +
         1.7763568394002505e-15*pull;
     const double end_apart = fabs(at_minus_one - pull) - end_off;
-    const double end_least = end_apart*(at_minus_one + pull);
+    const double end_least = end_apart*(at_minus_one + pull), cubed = ends*turn_off*fabs(force);
     const double room = (alpha*alpha)*cross_off + 3.552713678800501e-15*most;
     const double product = 4.0*near0*near22, outer = near1*near3, pushed_ = apart*wall_far;
     const double even3 = apart*(m0 + m2), linear2 = size - even3, push2 = wall_far*wall_far;
@@ -1019,16 +1020,19 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
         cross_off*fabs(force);
     if ((((stiffest > 0.0 && stiffest < 3.8725919148493183e-121) || loss +
         strength < 3.8725919148493183e-121) && strength > 0.0) ||
-        (end_least <= 8.0*room2 + 128.0*fabs(far3) && product2 >= 0.0 && product2 <= room2*room2 &&
-        room2 >= fabs(far1)) || (fabs(far1) <= 1.2789769243681803e-13*bent2 + 36.0*cross_off2*
-        fabs(force) + 36.0*ends*turn_off*(wall_far*wall_far) && fabs(far2) <= 2.842170943040401e-14*
-        bent2 + 8.0*cross_off2*fabs(force) + 8.0*ends*turn_off*(wall_far*wall_far) &&
-        outer2 >= 0.0 && outer2 <= base*base) ||
-        (fabs(near0) <= 8.0*room + 128.0*fabs(near3) && product >= 0.0 && product <= room*room &&
-        room >= fabs(near1)) || (fabs(near1) <= 36.0*(alpha*alpha)*ends*turn_off +
-        1.2789769243681803e-13*bent + 36.0*cross_off*fabs(force) && fabs(near22) <= 8.0*
-        (alpha*alpha)*ends*turn_off + 2.842170943040401e-14*bent + 8.0*cross_off*fabs(force) &&
-        outer >= 0.0 && outer <= base2*base2) || end_apart <= 0.0) {
+        (end_least <= 2.2737367544323206e-12*bent2 + 640.0*cross_off2*fabs(force) + 128.0*cubed +
+        640.0*ends*turn_off*(wall_far*wall_far) + 128.0*fabs(far3) &&
+        fabs(far1) <= 1.2789769243681803e-13*bent2 + 36.0*cross_off2*fabs(force) + 36.0*ends*
+        turn_off*(wall_far*wall_far) && fabs(far2) <= 2.842170943040401e-14*bent2 + 8.0*cross_off2*
+        fabs(force) + 8.0*ends*turn_off*(wall_far*wall_far) && outer2 >= 0.0 && outer2 <= base*
+        base) || (end_least <= 8.0*room2 + 128.0*fabs(far3) && product2 >= 0.0 && product2 <= room2*
+        room2 && room2 >= fabs(far1)) || (fabs(near0) <= 640.0*(alpha*alpha)*ends*turn_off +
+        2.2737367544323206e-12*bent + 640.0*cross_off*fabs(force) + 128.0*cubed + 128.0*
+        fabs(near3) && fabs(near1) <= 36.0*(alpha*alpha)*ends*turn_off + 1.2789769243681803e-13*
+        bent + 36.0*cross_off*fabs(force) && fabs(near22) <= 8.0*(alpha*alpha)*ends*turn_off +
+        2.842170943040401e-14*bent + 8.0*cross_off*fabs(force) && outer >= 0.0 && outer <= base2*
+        base2) || (fabs(near0) <= 8.0*room + 128.0*fabs(near3) && product >= 0.0 && product <= room*
+        room && room >= fabs(near1)) || end_apart <= 0.0) {
         return -1.0;
     }
     const double middle = 2.0*at_one/(2.0 - loss), rest = 2.0*at_minus_one/(2.0 - loss);
@@ -1058,13 +1062,14 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
 #else
 // roots outside the unit circle behind a fractional delay, -1 where that is not certain
 static inline float fractional_roots(float alpha, float beta, float d, float m2, float m0,
-    float gamma, float at_minus_one, float loss, float together, float apart, float across) {
+    float gamma, float at_minus_one, float loss, float together, float apart, float across,
+    float delta) {
     if (alpha == 0.0f && beta == 0.0f) { return 0.0f; }
     const float strength = fabsf(alpha) + fabsf(beta), stiffest = fmaxf(gamma, fabsf(alpha));
     const float slope = alpha + beta, wall_far = alpha + 2.0f*beta, force = beta*slope;
     const float lost = loss*loss, square = m0*m2, size = across*across, at_one = gamma*together;
-    const float turn_off = gamma > 10.0f ? 4.7683716e-07f*
-        (gamma > 10.0f ? 1.0f/sqrtf(gamma) : 1.0f) : 0.0f;
+    const float turn_off = gamma > 10.0f ? 4.7683716e-07f/
+        (fmaxf(1.0f, delta)*sqrtf(fmaxf(1.0f, gamma))) : 0.0f;
     const float size2 = m2 + together + fabsf(m0), near = sqrtf(fminf(1.0f, at_minus_one));
     const float near2 = sqrtf(fminf(1.0f, at_one)), whole = gamma == 0.0f ? 1.0f : gamma;
     const float apart_off = near*(3.8146973e-06f*size2 + 2.0f*turn_off);
@@ -1083,7 +1088,7 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
     const float end_off = a_off + apart_off*fabsf(wall_far) + 9.536743e-07f*at_minus_one +
         9.536743e-07f*pull;
     const float end_apart = fabsf(at_minus_one - pull) - end_off;
-    const float end_least = end_apart*(at_minus_one + pull);
+    const float end_least = end_apart*(at_minus_one + pull), cubed = ends*turn_off*fabsf(force);
     const float room = (alpha*alpha)*cross_off + 1.9073486e-06f*most, product = 4.0f*near0*near22;
     const float outer = near1*near3, pushed_ = apart*wall_far, even3 = apart*(m0 + m2);
     const float linear2 = size - even3, push2 = wall_far*wall_far;
@@ -1103,16 +1108,19 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
     const float base2 = 5.0f*(alpha*alpha)*ends*turn_off + 9.536743e-06f*bent + 5.0f*cross_off*
         fabsf(force);
     if ((((stiffest > 0.0f && stiffest < 9.094947e-13f) || loss + strength < 9.094947e-13f) &&
-        strength > 0.0f) || (end_least <= 8.0f*room2 + 128.0f*fabsf(far3) && product2 >= 0.0f &&
-        product2 <= room2*room2 && room2 >= fabsf(far1)) ||
-        (fabsf(far1) <= 6.866455e-05f*bent2 + 36.0f*cross_off2*fabsf(force) + 36.0f*ends*turn_off*
+        strength > 0.0f) || (end_least <= 0.0012207031f*bent2 + 640.0f*cross_off2*fabsf(force) +
+        128.0f*cubed + 640.0f*ends*turn_off*(wall_far*wall_far) + 128.0f*fabsf(far3) &&
+        fabsf(far1) <= 6.866455e-05f*bent2 + 36.0f*cross_off2*fabsf(force) + 36.0f*ends*turn_off*
         (wall_far*wall_far) && fabsf(far2) <= 1.5258789e-05f*bent2 + 8.0f*cross_off2*fabsf(force) +
         8.0f*ends*turn_off*(wall_far*wall_far) && outer2 >= 0.0f && outer2 <= base*base) ||
+        (end_least <= 8.0f*room2 + 128.0f*fabsf(far3) && product2 >= 0.0f && product2 <= room2*
+        room2 && room2 >= fabsf(far1)) || (fabsf(near0) <= 640.0f*(alpha*alpha)*ends*turn_off +
+        0.0012207031f*bent + 640.0f*cross_off*fabsf(force) + 128.0f*cubed + 128.0f*fabsf(near3) &&
+        fabsf(near1) <= 36.0f*(alpha*alpha)*ends*turn_off + 6.866455e-05f*bent + 36.0f*cross_off*
+        fabsf(force) && fabsf(near22) <= 8.0f*(alpha*alpha)*ends*turn_off + 1.5258789e-05f*bent +
+        8.0f*cross_off*fabsf(force) && outer >= 0.0f && outer <= base2*base2) ||
         (fabsf(near0) <= 8.0f*room + 128.0f*fabsf(near3) && product >= 0.0f && product <= room*
-        room && room >= fabsf(near1)) || (fabsf(near1) <= 36.0f*(alpha*alpha)*ends*turn_off +
-        6.866455e-05f*bent + 36.0f*cross_off*fabsf(force) && fabsf(near22) <= 8.0f*(alpha*alpha)*
-        ends*turn_off + 1.5258789e-05f*bent + 8.0f*cross_off*fabsf(force) && outer >= 0.0f &&
-        outer <= base2*base2) || end_apart <= 0.0f) {
+        room && room >= fabsf(near1)) || end_apart <= 0.0f) {
         return -1.0f;
     }
     const float middle = 2.0f*at_one/(2.0f - loss), rest = 2.0f*at_minus_one/(2.0f - loss);
@@ -1757,13 +1765,13 @@ static inline REAL max_stiffness_angle(REAL gamma, REAL delta, REAL d, REAL l,
             const REAL outside = part == R(0.0) ?
                 whole_roots(inside, t14, l, first, last, gamma, at_minus_one, loss, together,
                 apart) : fractional_roots(inside, t14, l, first, last, gamma, at_minus_one, loss,
-                together, apart, first - last);
+                together, apart, first - last, delta);
             if (outside < R(0.0)) {
                 const REAL inside2 = R(0.99609375)*stiffness - R(0.00390625)*gamma;
                 const REAL outside2 = part == R(0.0) ?
                     whole_roots(inside2, t14, l, first, last, gamma, at_minus_one, loss, together,
                     apart) : fractional_roots(inside2, t14, l, first, last, gamma, at_minus_one,
-                    loss, together, apart, first - last);
+                    loss, together, apart, first - last, delta);
                 good = stable(outside2, inside2, t14, gamma, delta);
             } else {
                 good = stable(outside, inside, t14, gamma, delta);
@@ -2134,7 +2142,7 @@ bool NAME(is_stable)(REAL alpha, REAL beta, REAL gamma, REAL delta, REAL d) {
         device.at_minus_one, t1, device.together, delayed.apart, R(0.5)*device.kick*
         (delta*delayed.m2 + R(2.0)*delayed.kicked) + R(0.5)*delayed.m2*
             (gamma*device.together + t1) - R(0.5)*
-        device.together + R(0.5)*t3), alpha, beta, gamma, delta) > R(0.0);
+        device.together + R(0.5)*t3, delta), alpha, beta, gamma, delta) > R(0.0);
 }
 
 REAL NAME(unstable_roots)(REAL alpha, REAL beta, REAL gamma, REAL delta, REAL d) {
@@ -2155,7 +2163,7 @@ REAL NAME(unstable_roots)(REAL alpha, REAL beta, REAL gamma, REAL delta, REAL d)
         t1, device.together, delayed.apart, R(0.5)*device.kick*
         (delta*delayed.m2 + R(2.0)*delayed.kicked) + R(0.5)*delayed.m2*
             (gamma*device.together + t1) - R(0.5)*
-        device.together + R(0.5)*t3);
+        device.together + R(0.5)*t3, delta);
 }
 
 void NAME(stability_boundary)(REAL theta, REAL gamma, REAL delta, REAL d,

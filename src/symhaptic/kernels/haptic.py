@@ -1332,18 +1332,19 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
 
 
 def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together, apart,
-    across):
+    across, delta):
     """roots outside the unit circle behind a fractional delay, -1 where that is not certain"""
     (
-        number, number2, number3, number4, number5, number6, number7, number8, number9, number10
+        number, number2, number3, number4, number5, number6, number7, number8, number9, number10,
+            number11
     ) = (4.76837158203125e-07, 3.814697265625e-06, 7.62939453125e-06, 4.547473508864641e-13,
         9.5367431640625e-07, 1.9073486328125e-06, 9.5367431640625e-06, 9.094947017729282e-13,
-        6.866455078125e-05, 1.52587890625e-05) if alpha.dtype == xp.float32 else (
+        0.001220703125, 6.866455078125e-05, 1.52587890625e-05) if alpha.dtype == xp.float32 else (
         8.881784197001252e-16, 7.105427357601002e-15, 1.4210854715202004e-14,
         1.5777218104420236e-30, 1.7763568394002505e-15, 3.552713678800501e-15,
-        1.7763568394002505e-14, 3.8725919148493183e-121, 1.2789769243681803e-13,
-        2.842170943040401e-14)
-    def no(across, alpha, apart, at_minus_one, beta, d, gamma, loss, m0, m2, together):
+        1.7763568394002505e-14, 3.8725919148493183e-121, 2.2737367544323206e-12,
+        1.2789769243681803e-13, 2.842170943040401e-14)
+    def no(across, alpha, apart, at_minus_one, beta, d, delta, gamma, loss, m0, m2, together):
         strength = xp.abs(alpha) + xp.abs(beta)
         stiffest = xp.where(gamma > xp.abs(alpha), gamma, xp.abs(alpha))
         slope = alpha + beta
@@ -1353,8 +1354,9 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, toge
         square = m0*m2
         size = (across*across)
         at_one = gamma*together
-        case1 = gamma > 10.0
-        turn_off = xp.where(case1, number*xp.where(case1, 1.0/square_root(xp, gamma), 1.0), 0.0)
+        turn_off = xp.where(gamma > 10.0, number/
+            (xp.where(1.0 > delta, 1.0, delta)*square_root(xp, xp.where(1.0 > gamma, 1.0, gamma))),
+            0.0)
         size2 = m2 + together + xp.abs(m0)
         near = square_root(xp, xp.where(1.0 < at_minus_one, 1.0, at_minus_one))
         near2 = square_root(xp, xp.where(1.0 < at_one, 1.0, at_one))
@@ -1382,6 +1384,7 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, toge
         end_off = a_off + apart_off*xp.abs(wall_far) + number5*at_minus_one + number5*pull
         end_apart = xp.abs(at_minus_one - pull) - end_off
         end_least = end_apart*(at_minus_one + pull)
+        cubed = ends*turn_off*xp.abs(force)
         room = (alpha*alpha)*cross_off + number6*most_
         product = 4.0*near2*near22
         outer = near*near3
@@ -1452,23 +1455,26 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, toge
 
         return select(xp, ((((stiffest > 0.0) & (stiffest < number8)) |
             (loss + strength < number8)) & (strength > 0.0)) |
-            ((end_least <= 8.0*room2 + 128.0*xp.abs(far3)) & (product2 >= 0.0) &
-            (product2 <= room2*room2) & (room2 >= xp.abs(far1))) |
+            ((end_least <= number9*bent2 + 640.0*cross_off2*xp.abs(force) + 128.0*cubed + 640.0*
+            ends*turn_off*(wall_far*wall_far) + 128.0*xp.abs(far3)) & (outer2 >= 0.0) &
+            (outer2 <= base*base) & (xp.abs(far1) <= number10*bent2 + 36.0*cross_off2*
+            xp.abs(force) + 36.0*ends*turn_off*(wall_far*wall_far)) &
+            (xp.abs(far2) <= number11*bent2 + 8.0*cross_off2*xp.abs(force) + 8.0*ends*turn_off*
+            (wall_far*wall_far))) | ((end_least <= 8.0*room2 + 128.0*xp.abs(far3)) &
+            (product2 >= 0.0) & (product2 <= room2*room2) & (room2 >= xp.abs(far1))) |
             ((outer >= 0.0) & (outer <= base2*base2) &
-            (xp.abs(near) <= 36.0*(alpha*alpha)*ends*turn_off + number9*bent + 36.0*cross_off*
-            xp.abs(force)) & (xp.abs(near22) <= 8.0*(alpha*alpha)*ends*turn_off + number10*bent +
-            8.0*cross_off*xp.abs(force))) | ((outer2 >= 0.0) & (outer2 <= base*base) &
-            (xp.abs(far1) <= number9*bent2 + 36.0*cross_off2*xp.abs(force) + 36.0*ends*turn_off*
-            (wall_far*wall_far)) & (xp.abs(far2) <= number10*bent2 + 8.0*cross_off2*xp.abs(force) +
-            8.0*ends*turn_off*(wall_far*wall_far))) |
-            ((product >= 0.0) & (product <= room*room) & (room >= xp.abs(near)) &
+            (xp.abs(near) <= 36.0*(alpha*alpha)*ends*turn_off + number10*bent + 36.0*cross_off*
+            xp.abs(force)) & (xp.abs(near2) <= 640.0*(alpha*alpha)*ends*turn_off + number9*bent +
+            640.0*cross_off*xp.abs(force) + 128.0*cubed + 128.0*xp.abs(near3)) &
+            (xp.abs(near22) <= 8.0*(alpha*alpha)*ends*turn_off + number11*bent + 8.0*cross_off*
+            xp.abs(force))) | ((product >= 0.0) & (product <= room*room) & (room >= xp.abs(near)) &
             (xp.abs(near2) <= 8.0*room + 128.0*xp.abs(near3))) | (end_apart <= 0.0),
             lambda alpha: -1.0, (alpha,), no, (a_off, across, alpha, apart, apart_off,
             at_minus_one, at_one, d, far0, far1, far2, far3, force, loss, lost, m0, m2, n1_off,
             near2, near, near22, near3, size, slope, square, together, wall_far))
 
     return select(xp, (alpha == 0.0) & (beta == 0.0), lambda alpha: 0.0, (alpha,), no,
-        (across, alpha, apart, at_minus_one, beta, d, gamma, loss, m0, m2, together))
+        (across, alpha, apart, at_minus_one, beta, d, delta, gamma, loss, m0, m2, together))
 
 
 def fractional_numerator_gap(xp, epsilon, x, x_low, y, y_low, first, last, turned):
@@ -2227,25 +2233,27 @@ def max_stiffness_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_mi
             together):
             inside_ = number*stiffness - number2*gamma
 
-            def no(apart, at_minus_one, first, gamma, inside_, l, last, loss, t14, together):
+            def no(apart, at_minus_one, delta, first, gamma, inside_, l, last, loss, t14, together):
                 return fractional_roots(xp, inside_, t14, l, first, last, gamma, at_minus_one,
-                    loss, together, apart, first - last)
+                    loss, together, apart, first - last, delta)
 
             outside = select(xp, part == 0.0, lambda *v: whole_roots(xp, *v),
                 (inside_, t14, l, first, last, gamma, at_minus_one, loss, together, apart), no,
-                (apart, at_minus_one, first, gamma, inside_, l, last, loss, t14, together))
+                (apart, at_minus_one, delta, first, gamma, inside_, l, last, loss, t14, together))
 
             def yes(apart, at_minus_one, delta, first, gamma, l, last, loss, part, stiffness, t14,
                 together):
                 inside_ = 0.99609375*stiffness - 0.00390625*gamma
 
-                def no(apart, at_minus_one, first, gamma, inside2, l, last, loss, t14, together):
+                def no(apart, at_minus_one, delta, first, gamma, inside2, l, last, loss, t14,
+                    together):
                     return fractional_roots(xp, inside2, t14, l, first, last, gamma, at_minus_one,
-                        loss, together, apart, first - last)
+                        loss, together, apart, first - last, delta)
 
                 outside2 = select(xp, part == 0.0, lambda *v: whole_roots(xp, *v),
                     (inside_, t14, l, first, last, gamma, at_minus_one, loss, together, apart), no,
-                    (apart, at_minus_one, first, gamma, inside_, l, last, loss, t14, together))
+                    (apart, at_minus_one, delta, first, gamma, inside_, l, last, loss, t14,
+                    together))
                 return stable(xp, outside2, inside_, t14, gamma, delta)
 
             return select(xp, outside < 0.0, yes,
@@ -2674,7 +2682,7 @@ def unstable_roots(alpha, beta, gamma, delta, d):
             apart, m2, kicked, m0 = late_device(xp, gamma, delta, part)
             return fractional_roots(xp, alpha, beta, whole, m2, m0, gamma, at_minus_one, t1,
                 together, apart, 0.5*kick_of*(delta*m2 + 2.0*kicked) + 0.5*m2*
-                (gamma*together + t1) - 0.5*together + 0.5*t3)
+                (gamma*together + t1) - 0.5*together + 0.5*t3, delta)
 
         return select(xp, part == 0.0, lambda *v: whole_roots(xp, *v),
             (alpha, beta, d, n1, n0, gamma, at_minus_one, t1, together, t3), no,

@@ -849,7 +849,8 @@ def zone_turns(k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, f
       slope, far, d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond)
   return ZoneTurns_out
 
-def fractional_roots(alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together, apart, across):
+def fractional_roots(alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together, apart, across, \
+    delta):
   if alpha == 0.0 and beta == 0.0:
     FractionalRoots_out = 0.0
   else:
@@ -862,8 +863,8 @@ def fractional_roots(alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together
     square = m0*m2
     size = across*across
     at_one = gamma*together
-    turn_off = 8.881784197001252e-16*(1.0/ \
-        sqrt(gamma) if gamma > 10.0 else 1.0) if gamma > 10.0 else 0.0
+    turn_off = 8.881784197001252e-16/(max(1.0, delta)* \
+        sqrt(max(1.0, gamma))) if gamma > 10.0 else 0.0
     size2 = m2 + together + abs(m0)
     near = sqrt(min(1.0, at_minus_one))
     near2 = sqrt(min(1.0, at_one))
@@ -892,6 +893,7 @@ def fractional_roots(alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together
         1.7763568394002505e-15*pull
     end_apart = abs(at_minus_one - pull) - end_off
     end_least = end_apart*(at_minus_one + pull)
+    cubed = ends*turn_off*abs(force)
     room = (alpha*alpha)*cross_off + 3.552713678800501e-15*most
     product = 4.0*near0*near22
     outer = near1*near3
@@ -919,13 +921,16 @@ def fractional_roots(alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together
         abs(far1) <= 1.2789769243681803e-13*bent2 + 36.0*cross_off2*abs(force) + 36.0*ends* \
         turn_off*(wall_far*wall_far) and abs(far2) <= 2.842170943040401e-14*bent2 + 8.0* \
         cross_off2*abs(force) + 8.0*ends*turn_off* \
-        (wall_far*wall_far) and outer2 >= 0.0 and outer2 <= base*base) or (abs(near0) <= 8.0* \
-        room + 128.0*abs(near3) and product >= 0.0 and product <= room* \
-        room and room >= abs(near1)) or (abs(near1) <= 36.0*(alpha*alpha)*ends*turn_off + \
+        (wall_far*wall_far) and end_least <= 2.2737367544323206e-12*bent2 + 640.0*cross_off2* \
+        abs(force) + 128.0*cubed + 640.0*ends*turn_off*(wall_far*wall_far) + 128.0* \
+        abs(far3) and outer2 >= 0.0 and outer2 <= base*base) or (abs(near0) <= 640.0* \
+        (alpha*alpha)*ends*turn_off + 2.2737367544323206e-12*bent + 640.0*cross_off*abs(force) + \
+        128.0*cubed + 128.0*abs(near3) and abs(near1) <= 36.0*(alpha*alpha)*ends*turn_off + \
         1.2789769243681803e-13*bent + 36.0*cross_off*abs(force) and abs(near22) <= 8.0* \
         (alpha*alpha)*ends*turn_off + 2.842170943040401e-14*bent + 8.0*cross_off* \
-        abs(force) and outer >= 0.0 and outer <= base2*base2) or (end_least <= 8.0*room2 + 128.0* \
-        abs(far3) and product2 >= 0.0 and product2 <= room2* \
+        abs(force) and outer >= 0.0 and outer <= base2*base2) or (abs(near0) <= 8.0*room + 128.0* \
+        abs(near3) and product >= 0.0 and product <= room*room and room >= abs(near1)) or ( \
+        end_least <= 8.0*room2 + 128.0*abs(far3) and product2 >= 0.0 and product2 <= room2* \
         room2 and room2 >= abs(far1)) or end_apart <= 0.0:
       FractionalRoots_out = -1.0
     else:
@@ -1499,7 +1504,7 @@ def is_stable(alpha, beta, gamma, delta, d):
     apart, m2, kicked, m0 = late_device(gamma, delta, part)
     stable__out = stable(fractional_roots(alpha, beta, whole, m2, m0, gamma, at_minus_one, t1, \
         together, apart, 0.5*kick_of*(delta*m2 + 2.0*kicked) + 0.5*m2*(gamma*together + t1) - 0.5* \
-        together + 0.5*t3), alpha, beta, gamma, delta) > 0.0
+        together + 0.5*t3, delta), alpha, beta, gamma, delta) > 0.0
   return stable__out
 
 def unstable_roots(alpha, beta, gamma, delta, d):
@@ -1518,7 +1523,7 @@ def unstable_roots(alpha, beta, gamma, delta, d):
     apart, m2, kicked, m0 = late_device(gamma, delta, part)
     roots_out = fractional_roots(alpha, beta, whole, m2, m0, gamma, at_minus_one, t1, together, \
         apart, 0.5*kick_of*(delta*m2 + 2.0*kicked) + 0.5*m2*(gamma*together + t1) - 0.5* \
-        together + 0.5*t3)
+        together + 0.5*t3, delta)
   return roots_out
 
 def stability_boundary(theta, gamma, delta, d):

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#define STAMP "6e20be90b5545416"
+#define STAMP "e04d73403b0942fc"
 
 extern "C" {
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,

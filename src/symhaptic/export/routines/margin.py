@@ -21,9 +21,11 @@ from symhaptic.export.routines.prelude import *
 from symhaptic.export.routines.roots import (
     _value,
     _wall,
+    across,
     alpha,
     beta,
     cubic_root,
+    delta,
     expanded,
     gamma,
     loss,
@@ -50,9 +52,9 @@ _PARTS = 24
 """At most so many parts are tried: sixteen, those that the end of the period or of the margin cuts,
 and those that were cut in four before."""
 
-_KICKS = kick, kicked, n1, delta, half = sp.symbols("kick kicked n1 delta half")
-"""The ways by an impulse in a period and in its rest, n1 of the device, its damping, and half of a
-part of the period."""
+_KICKS = kick, kicked, n1, half = sp.symbols("kick kicked n1 half")
+"""The ways by an impulse in a period and in its rest, n1 of the device, and half of a part of the
+period."""
 first, last, side = _TO = sp.symbols("first last side")
 """Whole periods between which it is to hold, and 1 for the larger angle, -1 for the smaller."""
 
@@ -183,7 +185,7 @@ def outward(given, more, precision):
     sums_by, gap_by = near(early + late, size), near(early - late, size)
     ends = do("ends", m2 + Abs(m0))
     turn_off = rounded_turn(unit(precision))
-    sums, gap = (near(v, ends).widened(turn_off) for v in (m2 + m0, given[-1]))
+    sums, gap = (near(v, ends).widened(turn_off) for v in (m2 + m0, across))
     force = near(together)
     tilt = 2 * (gap * gap_by) - force * sums_by
     cross, twist = gap * gap - force * sums, sums_by * gap - gap_by * sums
@@ -272,9 +274,9 @@ def _sampled(gamma, delta, delay):
     return dict(zip(SAMPLED, found, strict=True))
 
 
-def _told(x, alpha, beta, steps, gamma):
+def _told(x, alpha, beta, steps, gamma, delta):
     """Those of them that a crossing is told."""
-    own = {"alpha": alpha, "beta": beta, "d": steps, "gamma": gamma}
+    own = {"alpha": alpha, "beta": beta, "d": steps, "gamma": gamma, "delta": delta}
     return tuple((x | own)[s.name] for s in FRACTIONAL_ARGUMENTS)
 
 
@@ -283,7 +285,7 @@ def passing_at(loop):
     """the same with a delay of d periods"""
     alpha, beta, gamma, delta, d = loop
     whole = do("whole", floor(d))
-    return passing(_told(_sampled(gamma, delta, d), alpha, beta, whole, gamma))
+    return passing(_told(_sampled(gamma, delta, d), alpha, beta, whole, gamma, delta))
 
 
 @routine(loop=_LOOP)
@@ -310,8 +312,8 @@ def outward_at(loop, span):
     half = do("half", width / 2)
     middle = do("middle", begin + half)
     x = _sampled(gamma, delta, middle)
-    told = _told(x, alpha, beta, first, gamma)
-    more = x["kick"], x["kicked"], x["n1"], delta, 1.0001 * half, first, last
+    told = _told(x, alpha, beta, first, gamma, delta)
+    more = x["kick"], x["kicked"], x["n1"], 1.0001 * half, first, last
     high = do("high", outward(told, (*more, S.One)))
     low = do("low", outward(told, (*more, -S.One)))
     back = choose(gamma > Abs(alpha), low, high)

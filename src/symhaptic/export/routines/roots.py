@@ -28,7 +28,7 @@ from symhaptic.export.routines.prelude import *
 from symhaptic.forms.root_count import ARGUMENTS, FRACTIONAL_ARGUMENTS
 
 alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together, apart = ARGUMENTS
-_, _, _, m2, m0, *_, across = FRACTIONAL_ARGUMENTS
+_, _, _, m2, m0, *_, across, delta = FRACTIONAL_ARGUMENTS
 y, rest, off, loose, free = POINT = sp.symbols("y rest off loose free")
 """y, 4 - y and y - center; the parts of the first two, and how much of the last, may be off."""
 
@@ -72,17 +72,18 @@ def _flat(terms, least, size, unit, more=S.Zero):
     return And(Abs(b) <= room, product >= 0, product <= room * room, least <= 2 * takes)
 
 
-def _hides(terms, off):
+def _hides(terms, least, off, cubed):
     """Whether c + b y + a y^2 + k y^3 may have two roots between which no extremum is found.
 
     If b and k have one sign and a has the other, b + a y + k y^2 has two roots where a^2 >= 4 b k.
     The a that is computed is off by at most ``off``, and may have neither this size nor this sign.
-    If it is 8 times as large, the extrema are found.
+    If it is 8 times as large, the extrema are found.  k is off by ``cubed``.  As in :func:`_flat`,
+    there are no roots where the size of c, at least ``least``, exceeds the other terms.
     """
     _, b, a, k = terms
-    least = do("outer", b * k)
+    outer, takes = do("outer", b * k), 320 * off + 64 * (Abs(k) + cubed)
     small = And(Abs(a) <= 8 * off, Abs(b) <= 36 * off)  # those roots are at most 4
-    return And(small, least >= 0, least <= (5 * off) ** 2)
+    return And(small, outer >= 0, outer <= (5 * off) ** 2, least <= 2 * takes)
 
 
 def _leads(terms):
@@ -544,10 +545,11 @@ def rounded_turn(last):
     """By how much m2, m0 and m2 + m0 of a stiff device may be off besides their last places.
 
     The angles that it turns in the parts of a period are products of rounded numbers.  Their errors
-    are as many last places of sqrt(gamma), and m2 and m0 are 1 - cos of them over gamma.
+    are as many last places of sqrt(gamma), and m2 and m0 are 1 - cos of them over gamma.  In a part
+    f the cosine is damped by exp(-f delta/2), and f times this is at most 2/(e delta).
     """
-    stiff = gamma > _STIFF
-    return do("turn_off", choose(stiff, last / sqrt(choose(stiff, gamma, 1)), 0))
+    slow = sqrt(Max(gamma, 1)) * Max(delta, 1)
+    return do("turn_off", choose(gamma > _STIFF, last / slow, 0))
 
 
 def _blurs(at_one, turn_off, last):
@@ -564,8 +566,11 @@ def _blurs(at_one, turn_off, last):
 
 
 def _unsure(terms, least, sizes, last, off):
-    """Whether roots may be missed; b and a are off by ``off`` besides their last places."""
-    return _flat(terms, least, sizes[0], last, off[0]), _hides(terms, 4 * last * sizes[1] + off[1])
+    """Whether roots may be missed; b, a and k are off by ``off`` besides their last places."""
+    return (
+        _flat(terms, least, sizes[0], last, off[0]),
+        _hides(terms, least, 4 * last * sizes[1] + off[1], off[2]),
+    )
 
 
 @routine(given=FRACTIONAL_ARGUMENTS)
@@ -599,14 +604,17 @@ def expanded(precision):
     blurred = do("blurred", (2 * Abs(across) + n1_off) * n1_off)
     cross_off = do("cross_off", blurred + together * turn_off)
     end_unsure, least = _at_the_end(far, last, a_off, apart_off)
-    near_off = cross_off * alpha**2, ends * turn_off * alpha**2 + cross_off * Abs(force)
+    cubed = do("cubed", ends * turn_off * Abs(force))
+    bent_off = ends * turn_off * alpha**2 + cross_off * Abs(force)
+    near_off = cross_off * alpha**2, bent_off, cubed
     unsure = [end_unsure, *_unsure(near, Abs(near[0]), most, last, near_off)]
     pushed = do("pushed", apart * far)
     first = (at_minus_one - pushed) * (at_minus_one + pushed)
     end, *most = _about_end("far", *both, first, at_minus_one, apart, far, -force)
     cross_off = do("cross_off", blurred + apart_off * ends + Abs(apart) * turn_off)
     more = cross_off * far**2 + (2 * Abs(apart) + apart_off) * apart_off * Abs(force)
-    end_off = more + 2 * a_off, ends * turn_off * far**2 + cross_off * Abs(force)
+    bent_off = ends * turn_off * far**2 + cross_off * Abs(force)
+    end_off = more + 2 * a_off, bent_off, cubed
     unsure += _unsure(end, least, most, last, end_off)
     middle = do("middle", 2 * at_one / (2 - loss))
     rest = do("rest", 2 * at_minus_one / (2 - loss))

@@ -462,7 +462,7 @@ def max_stiffness_angle(gamma, delta, d, l, part, first, last, device, precision
     roots = choose(
         whole,
         WholeRoots(*_INSIDE, l, first, last, *known),
-        FractionalRoots(*_INSIDE, l, first, last, *known, first - last),
+        FractionalRoots(*_INSIDE, l, first, last, *known, first - last, delta),
     )
     return _bordering(top, across, l, roots, gamma, delta, d, device, precision)
 
