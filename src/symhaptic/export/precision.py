@@ -134,6 +134,6 @@ class Precision:
 _SIZES = sizes.LARGEST, sizes.STIFFEST, sizes.LONGEST
 
 DOUBLE = Precision("double", 53, np.float64, 1e-300, 1e-290, 1e290, *_SIZES)
-SINGLE = Precision("single", 24, np.float32, 1e-30, 1e-30, 1e30, 1e8, 1e8, 1e6)
+SINGLE = Precision("single", 24, np.float32, 1e-30, 1e-30, 1e30, 1e8, 1e7, 1e6)
 
 PRECISIONS = {p.name: p for p in (DOUBLE, SINGLE)}

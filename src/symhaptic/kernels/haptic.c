@@ -2102,7 +2102,7 @@ static inline float passive_angle(float l, float epsilon) {
 void NAME(discretize)(REAL gamma, REAL delta, REAL *n1_out, REAL *n0_out, REAL *a_out,
     REAL *e_out) {
     if (!(delta >= R(0.0) && delta <= PICK(1e+70, 1e+08f) && gamma >= R(0.0) &&
-        gamma <= PICK(1e+15, 1e+08f))) {
+        gamma <= PICK(1e+15, 1e+07f))) {
         *n1_out = NAN; *n0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device device = device_n0_n1_trace(gamma, delta);
@@ -2113,7 +2113,7 @@ void NAME(discretize_fractional)(REAL gamma, REAL delta, REAL epsilon, REAL *m2_
     REAL *m1_out, REAL *m0_out, REAL *a_out, REAL *e_out) {
     if (!(delta >= R(0.0) && delta <= PICK(1e+70, 1e+08f) && epsilon >= R(0.0) &&
         epsilon < R(1.0) && gamma >= R(0.0) &&
-        gamma <= PICK(1e+15, 1e+08f))) {
+        gamma <= PICK(1e+15, 1e+07f))) {
         *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device2 device = device_together_trace(gamma, delta);
@@ -2127,7 +2127,7 @@ void NAME(discretize_fractional)(REAL gamma, REAL delta, REAL epsilon, REAL *m2_
 bool NAME(is_stable)(REAL alpha, REAL beta, REAL gamma, REAL delta, REAL d) {
     if (!(d >= R(0.0) && d <= PICK(1e+15, 1e+06f) && delta >= R(0.0) &&
         delta <= PICK(1e+70, 1e+08f) && M(fabs)(alpha) <= PICK(1e+70, 1e+08f) &&
-        M(fabs)(beta) <= PICK(1e+70, 1e+08f) && gamma >= R(0.0) && gamma <= PICK(1e+15, 1e+08f))) {
+        M(fabs)(beta) <= PICK(1e+70, 1e+08f) && gamma >= R(0.0) && gamma <= PICK(1e+15, 1e+07f))) {
         return false;
     }
     const Device3 device = device_at_minus_one_kick_together_n_gap_n0_n1(gamma, delta);
@@ -2148,7 +2148,7 @@ bool NAME(is_stable)(REAL alpha, REAL beta, REAL gamma, REAL delta, REAL d) {
 REAL NAME(unstable_roots)(REAL alpha, REAL beta, REAL gamma, REAL delta, REAL d) {
     if (!(d >= R(0.0) && d <= PICK(1e+15, 1e+06f) && delta >= R(0.0) &&
         delta <= PICK(1e+70, 1e+08f) && M(fabs)(alpha) <= PICK(1e+70, 1e+08f) &&
-        M(fabs)(beta) <= PICK(1e+70, 1e+08f) && gamma >= R(0.0) && gamma <= PICK(1e+15, 1e+08f))) {
+        M(fabs)(beta) <= PICK(1e+70, 1e+08f) && gamma >= R(0.0) && gamma <= PICK(1e+15, 1e+07f))) {
         return -R(1.0);
     }
     const Device3 device = device_at_minus_one_kick_together_n_gap_n0_n1(gamma, delta);
@@ -2170,7 +2170,7 @@ void NAME(stability_boundary)(REAL theta, REAL gamma, REAL delta, REAL d,
     REAL *alpha_out, REAL *beta_out) {
     if (!(d >= R(0.0) && d <= PICK(1e+15, 1e+06f) && delta >= R(0.0) &&
         delta <= PICK(1e+70, 1e+08f) && gamma >= R(0.0) &&
-        gamma <= PICK(1e+15, 1e+08f) && theta > R(0.0) &&
+        gamma <= PICK(1e+15, 1e+07f) && theta > R(0.0) &&
             theta <= PICK(3.141592653589793, 3.1415925f))) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
@@ -2199,7 +2199,7 @@ void NAME(max_stable_stiffness)(REAL gamma, REAL delta, REAL d, REAL *alpha_out,
     REAL *beta_out, REAL *theta_out) {
     if (!(d >= R(0.0) && d <= PICK(1e+15, 1e+06f) && delta >= R(0.0) &&
         delta <= PICK(1e+70, 1e+08f) && gamma >= R(0.0) &&
-        gamma <= PICK(1e+15, 1e+08f))) {
+        gamma <= PICK(1e+15, 1e+07f))) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
     const Device6 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);

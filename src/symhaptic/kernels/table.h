@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#define STAMP "e04d73403b0942fc"
+#define STAMP "48ee5efd360a3443"
 
 extern "C" {
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
@@ -50,7 +50,7 @@ void haptic_single_late_device(float gamma, float delta, float part, float *apar
 /* What is true of each argument inside its range alone. */
 struct in_gamma {
     static bool inside(double gamma) { return gamma >= 0.0 && gamma <= 1e+15; }
-    static bool inside(float gamma) { return gamma >= 0.0f && gamma <= 1e+08f; }
+    static bool inside(float gamma) { return gamma >= 0.0f && gamma <= 1e+07f; }
 };
 struct in_delta {
     static bool inside(double delta) { return delta >= 0.0 && delta <= 1e+70; }
