@@ -130,7 +130,7 @@ def test_exported_c(compiled, form):
 
 STRANGE = ["-ffast-math", "-Ofast", "-ffinite-math-only"]
 if platform.machine() in {"x86_64", "AMD64", "i686"}:
-    STRANGE += ["-mfpmath=387"]  # sums of rounded numbers are more exact there than they say
+    STRANGE += ["-mfpmath=387"]  # each step is rounded to more digits than a number keeps
 
 
 @pytest.mark.parametrize("flag", STRANGE)
