@@ -108,11 +108,14 @@ def test_a_device_file_without_an_end_is_not_read_to_the_end():
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
-def test_no_process_is_left(mine, number):
+def test_no_process_and_no_folder_is_left(mine, number, tmp_path):
     """The function's process ends with the check, and what it has started unless that is killed."""
     program = [sys.executable, "-m", "symhaptic", *LIMIT, "--python", "mine:started"]
-    env = os.environ | {"PYTHONPATH": str(Path(check.__file__).parents[2])}
-    process = subprocess.Popen(program, cwd=mine, env=env, stderr=subprocess.PIPE, text=True)
+    (kept := tmp_path / "kept").mkdir()
+    env = {"PYTHONPATH": str(Path(check.__file__).parents[2]), "TMPDIR": str(kept)}
+    process = subprocess.Popen(
+        program, cwd=mine, env=os.environ | env, stderr=subprocess.PIPE, text=True
+    )
     child = mine / "child"
     for _ in range(6000):
         if child.exists() and child.read_text():
@@ -126,6 +129,11 @@ def test_no_process_is_left(mine, number):
     _, said = process.communicate(timeout=300)
     time.sleep(0.5)
     assert not is_alive(theirs)
+    for _ in range(600):
+        if not os.listdir(kept):
+            break
+        time.sleep(0.1)
+    assert os.listdir(kept) == []
     if number == signal.SIGKILL:  # nobody is left who could end it
         os.kill(started, signal.SIGKILL)
         return

@@ -16,11 +16,11 @@ import sys
 from collections.abc import Callable
 from contextlib import ExitStack, suppress
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from threading import Thread
 from time import monotonic
 from typing import Any, Self
 
+from symhaptic.book.processes import folder
 from symhaptic.check import worker
 from symhaptic.check.worker import Points
 
@@ -66,8 +66,8 @@ class Theirs(ExitStack):
         """File, and place and line of a Python function."""
 
     def __enter__(self) -> Self:
-        folder = Path(self.enter_context(TemporaryDirectory(prefix="symhaptic-check-")))
-        self.points, self.found, self.said = (folder / n for n in ("points", "found", "said"))
+        place = self.enter_context(folder("symhaptic-check-"))
+        self.points, self.found, self.said = (place / n for n in ("points", "found", "said"))
         self.callback(self._end)
         try:
             if self.kind != "command":
