@@ -128,12 +128,12 @@ def test_exported_c(compiled, form):
         assert nothing(form, [r.value for r in results] or [found]), point
 
 
-STRANGE = ["-ffast-math", "-Ofast", "-ffinite-math-only"]
+REFUSED = ["-ffast-math", "-Ofast", "-ffinite-math-only"]
 if platform.machine() in {"x86_64", "AMD64", "i686"}:
-    STRANGE += ["-mfpmath=387"]  # each step is rounded to more digits than a number keeps
+    REFUSED += ["-mfpmath=387"]  # each step is rounded to more digits than a number keeps
 
 
-@pytest.mark.parametrize("flag", STRANGE)
+@pytest.mark.parametrize("flag", REFUSED)
 @pytest.mark.parametrize("language", ["c", "cpp"])
 def test_arithmetic_without_nan_or_with_more_digits_is_refused(language, flag, tmp_path):
     compiler, standard = ("gcc", "c99") if language == "c" else ("g++", "c++17")

@@ -50,7 +50,7 @@ def test_its_roots_beside_eigenvalues(scene):
         assert scene.is_stable(K, 5.0) == stable
 
 
-@pytest.mark.ci  # describe() says the stiffest passive wall, see below
+@pytest.mark.ci  # describe() computes the stiffest passive wall, which takes long
 def test_the_questions_that_it_answers_without_being_named_anywhere(scene):
     assert pytest.approx(scene.max_stable_stiffness()) == scene.stable_region().max_stiffness.K
     assert scene.delay_margin(400.0, 1.0) > 0

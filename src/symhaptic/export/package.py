@@ -26,8 +26,8 @@ STRICT = """#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defin
 """
 """Compiler flags that reorder sums, or assume that there is no NaN, cost digits and the domain.
 
-So does the x87 unit of a processor: it rounds to more digits than a number has.  The method 16 has
-these for half precision only.
+So does the x87 unit of a processor: it rounds to more digits than a number has.  FLT_EVAL_METHOD is
+16 where only half precision is computed with more digits.
 """
 
 _LISTS = """\

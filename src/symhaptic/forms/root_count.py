@@ -51,7 +51,7 @@ FRACTIONAL_ARGUMENTS = sp.symbols(
 )
 """Of FractionalRoots: the wall, the whole periods, and the device behind the fraction.
 
-The last but one and the one before are m2 - m0 and m2 - m1 + m0.
+``apart`` is m2 - m1 + m0, and ``across`` m2 - m0.
 """
 
 

@@ -18,5 +18,5 @@ powers of w keep the digits that powers of z lose.
 * ``circle``, ``count``, ``trace``, ``passive``: how they are answered
 * ``simulate``, ``motion``, ``controller``: the motion over time
 
-Imports ``notation`` and ``numeric``; used by ``scene`` and by chapters.
+Imports ``notation`` and ``numeric``; used by ``bounds``, ``scene`` and chapters.
 """

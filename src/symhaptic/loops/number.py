@@ -50,3 +50,23 @@ def power_of_z(exponent: int) -> Polynomial:
     for _ in range(exponent):
         found = product(found, (1, 1))
     return found
+
+
+def all_inside(falling: list[Number]) -> bool | None:
+    """Whether all roots of a polynomial in z lie in |z| < 1, by Schur's reduction.
+
+    The coefficients begin with the highest power.  They are exact or balls; None if balls do not
+    tell.
+
+    >>> all_inside([1, -1]), all_inside([2, 1])
+    (False, True)
+    """
+    while len(falling) > 1:
+        share = falling[-1] / falling[0]
+        if abs(share) >= 1:
+            return False
+        if not abs(share) < 1:
+            return None
+        mirrored = zip(falling, reversed(falling), strict=True)
+        falling = [one - share * other for one, other in mirrored][:-1]
+    return True

@@ -10,10 +10,17 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import NamedTuple
 
-from symhaptic.loops.number import Number, Polynomial, power_of_z, product, scaled, total
+from symhaptic.loops.number import (
+    Number,
+    Polynomial,
+    all_inside,
+    power_of_z,
+    product,
+    scaled,
+    total,
+)
 from symhaptic.notation.quantities import decimal, nearest, number, shown
 
 
@@ -330,7 +337,7 @@ class Filter(Velocity):
                 f"numerator: {shown(self.numerator)} over {shown(self.denominator)} turns a "
                 "constant into another one; give coefficients with the same sum"
             )
-        if not _all_inside([*map(decimal, self.denominator)]):
+        if not all_inside([*map(decimal, self.denominator)]):
             raise ValueError(
                 f"denominator: {shown(self.denominator)} is not allowed; give a stable filter"
             )
@@ -360,17 +367,6 @@ def _of_delays(coefficients: Sequence[float], more: int) -> Polynomial:
     for power, each in enumerate(reversed(coefficients), more):
         found = total(found, scaled(decimal(each), power_of_z(power)))
     return tuple(map(nearest, found))
-
-
-def _all_inside(falling: list[Fraction]) -> bool:
-    """Whether all roots of a polynomial lie in |z| < 1: Schur's reduction, in exact numbers."""
-    while len(falling) > 1:
-        share = falling[-1] / falling[0]
-        if abs(share) >= 1:
-            return False
-        pairs = zip(falling, reversed(falling), strict=True)
-        falling = [one - share * other for one, other in pairs][:-1]
-    return True
 
 
 @dataclass(frozen=True)

@@ -484,8 +484,8 @@ class Scene(DeviceLoop):
         -------
         Stiffness
             The stiffness with the attributes ``.B``, 0.0, and ``.frequency_hz``, NaN if friction
-            limits it.  :meth:`describe` says which of both does.  NaN if a virtual mass alone is
-            not passive.
+            limits it.  :meth:`describe` says which of the two does.  NaN if a virtual mass alone
+            is not passive.
 
         Raises
         ------

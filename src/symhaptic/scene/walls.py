@@ -349,7 +349,7 @@ def quantised_limits(scene: DeviceLoop) -> dict[str, Stiffness]:
 
 
 def binding(limits: dict[str, Stiffness]) -> str:
-    """What limits most: the smallest limit, and before it one that leaves no wall."""
+    """The name of the smallest limit; NaN, which leaves no wall, is less than any number."""
     return min(limits, key=lambda name: -math.inf if math.isnan(limits[name]) else limits[name])
 
 

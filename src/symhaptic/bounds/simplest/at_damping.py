@@ -33,6 +33,7 @@ from symhaptic.bounds.simplest.plants import (
     compiled,
     numbers,
 )
+from symhaptic.loops.number import all_inside
 from symhaptic.model import linear
 from symhaptic.model.plant import Sampled
 from symhaptic.notation import a, delta, e, gamma, n_0, n_1, nu, s_1, s_2
@@ -193,7 +194,7 @@ def _stiffest(arc: _Arc, box: Box, delay: int) -> arb:
     for meeting, upper in reversed(list(zip(meetings, [*meetings[1:], None], strict=True))):
         end = above if upper is None else upper.low
         wall = arb((meeting.high + end) / 2)
-        stable = _inside(_polynomial(one, wall, middle.ball, delay))
+        stable = all_inside(_polynomial(one, wall, middle.ball, delay))
         if stable is None:
             raise NotEnclosed("whether a wall is stable is not decided")
         if stable:
@@ -275,16 +276,3 @@ def _polynomial(x: Numbers, alpha: arb, beta: arb, delay: int) -> list[arb]:
     ):
         found[i] += part
     return found
-
-
-def _inside(polynomial: list[arb]) -> bool | None:
-    """Whether all roots lie inside the unit circle, by Schur's reduction; None if undecided."""
-    while len(polynomial) > 1:
-        share = polynomial[-1] / polynomial[0]
-        if abs(share) >= 1:
-            return False
-        if not abs(share) < 1:
-            return None
-        mirrored = reversed(polynomial)
-        polynomial = [p - share * q for p, q in zip(polynomial, mirrored, strict=True)][:-1]
-    return True
