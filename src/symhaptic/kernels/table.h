@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#define STAMP "48ee5efd360a3443"
+#define STAMP "752b67c1e4b39940"
 
 extern "C" {
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
