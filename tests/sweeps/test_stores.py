@@ -213,6 +213,37 @@ def test_another_sweep_is_refused(kind, tmp_path):
     assert [p.name for p in stranger.iterdir()] == ["letter"]
 
 
+@pytest.mark.parametrize("kind", ["zarr", "parquet"])
+@pytest.mark.parametrize(
+    ("first", "second", "said"),
+    [
+        ({"over": "b", "reduce": "min"}, {"over": "b", "reduce": "max"}, "variables"),
+        ({"over": "b", "reduce": ("min", "max")}, {"over": "b", "reduce": ("max", "min")},
+         "variables"),
+        ({}, {"swapped": True}, "dimensions"),
+        ({"chunks": 2}, {"chunks": 2, "swapped": True}, "dimensions"),
+    ],
+)  # fmt: skip
+def test_another_reduction_and_another_order_are_another_sweep(
+    first, second, said, kind, tmp_path
+):
+    """Neither the names of the results nor the lengths of their dimensions tell them apart."""
+
+    def f(a, b):
+        return 10 * a + b
+
+    def swept(words):
+        axes = {"a": [0.0, 1.0], "b": [5.0, 6.0]}
+        if words.get("swapped"):
+            axes = dict(reversed(axes.items()))
+        words = {n: word for n, word in words.items() if n != "swapped"}
+        return sweep(f, to=tmp_path / f"kept.{kind}", **words, **axes)
+
+    swept(first)
+    with pytest.raises(ValueError, match=rf"which differs in {said}"):
+        swept(second)
+
+
 def test_a_function_that_has_changed_is_refused(tmp_path):
     """Blocks of what it was do not stand beside blocks of what it is."""
 

@@ -240,7 +240,7 @@ class Plan:
             "words": {n: str(v) for n, v in self.work.words.items()},
             "arm": repr(self.work.arm),
             "parts": repr(self.work.scene),
-            "variables": [v.name for v in self.variables],
+            "variables": [[v.name, v.source, v.word, str(v.dtype)] for v in self.variables],
             "inputs": {
                 name: [
                     list(self.coords[name].dims),
@@ -248,8 +248,8 @@ class Plan:
                 ]
                 for name in self.names
             },
-            "dimensions": {d: self.coords.sizes[d] for d in (*self.kept, *self.over)},
-            "over": list(self.over),
+            "dimensions": [[d, self.coords.sizes[d]] for d in self.kept],
+            "over": [[d, self.coords.sizes[d]] for d in self.over],
             "blocks": list(self.lengths),
         }
 
