@@ -224,9 +224,7 @@ def test_another_sweep_is_refused(kind, tmp_path):
         ({"chunks": 2}, {"chunks": 2, "swapped": True}, "dimensions"),
     ],
 )  # fmt: skip
-def test_another_reduction_and_another_order_are_another_sweep(
-    first, second, said, kind, tmp_path
-):
+def test_another_reduction_and_another_order_are_another_sweep(first, second, said, kind, tmp_path):
     """Neither the names of the results nor the lengths of their dimensions tell them apart."""
 
     def f(a, b):
@@ -348,6 +346,45 @@ def test_no_flipped_bit_gives_other_values(kind, tmp_path):
         file.write_bytes(whole)
         assert refused
     assert np.array_equal(found.alpha.values, wanted, equal_nan=True)
+
+
+@pytest.mark.parametrize("kind", ["zarr", "parquet"])
+@pytest.mark.parametrize("other", ["block", "sweep"])
+def test_a_block_in_the_place_of_another_is_not_read(other, kind, tmp_path):
+    """With its own mark, as a copy of a part of a store leaves it."""
+
+    def f(a):
+        return a
+
+    def stored(name, factor):
+        return sweep(f, a=factor * np.arange(3), to=tmp_path / f"{name}.{kind}", chunks=1)
+
+    found, _ = stored("kept", 1.0), stored("other", 2.0)
+    place = tmp_path / f"kept.{kind}"
+    taken = place if other == "block" else tmp_path / f"other.{kind}"
+    files = {"zarr": ("f/c/{}", "blocks/done/c/{}/0"), "parquet": ("block-{:05}.parquet",)}[kind]
+    for file in files:
+        (place / file.format(2)).write_bytes((taken / file.format(1)).read_bytes())
+    with pytest.raises(ValueError, match="is damaged or missing; delete .+ computes this block"):
+        found.f.values
+
+
+def test_a_folder_with_the_name_of_a_block_or_of_a_column_is_no_data(tmp_path):
+    """PyArrow reads a folder as a table, and the name of a folder as a column."""
+    place = tmp_path / "f=7" / "kept.parquet"
+    place.parent.mkdir()
+
+    def f(a):
+        return a
+
+    found = sweep(f, a=[1.0, 2.0], to=place, chunks=1)
+    assert found.f.values.tolist() == [1.0, 2.0]
+    block = place / "block-00000.parquet"
+    block.unlink()
+    block.mkdir()
+    (block / "one.parquet").write_bytes((place / "block-00001.parquet").read_bytes())
+    with pytest.raises(ValueError, match="is damaged or missing; delete .+ computes this block"):
+        found.f.values
 
 
 @pytest.mark.filterwarnings("ignore:Object at .* is not recognized")

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import itertools
+import json
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -252,6 +253,12 @@ class Plan:
             "over": [[d, self.coords.sizes[d]] for d in self.over],
             "blocks": list(self.lengths),
         }
+
+    @property
+    def mark(self) -> str:
+        """Digest of the description."""
+        said = json.dumps(self.description(), sort_keys=True)
+        return hashlib.sha256(said.encode()).hexdigest()
 
     def empty(self) -> xarray.Dataset:
         """The result without its values: arrays of Dask that are all zero and take no memory."""

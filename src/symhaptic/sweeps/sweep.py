@@ -107,7 +107,7 @@ def sweep(
             raise ValueError(
                 f"lazy: {lazy!r} and to={shown(to)} exclude each other; give one of them"
             )
-        place = store(to)
+        place = store(to, plan)
         place.begin(plan)
         if next(place.missing(plan), None) is not None:
             with place.alone(), executor(on, workers) as pool:
