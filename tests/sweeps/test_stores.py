@@ -365,8 +365,8 @@ def test_a_block_in_the_place_of_another_is_not_read(other, kind, tmp_path):
     files = {"zarr": ("f/c/{}", "blocks/done/c/{}/0"), "parquet": ("block-{:05}.parquet",)}[kind]
     for file in files:
         (place / file.format(2)).write_bytes((taken / file.format(1)).read_bytes())
-    with pytest.raises(ValueError, match="is damaged or missing; delete .+ computes this block"):
-        found.f.values
+    with pytest.raises(ValueError, match=r"is damaged or missing; delete .+ computes this block"):
+        found.load()
 
 
 def test_a_folder_with_the_name_of_a_block_or_of_a_column_is_no_data(tmp_path):
@@ -383,8 +383,8 @@ def test_a_folder_with_the_name_of_a_block_or_of_a_column_is_no_data(tmp_path):
     block.unlink()
     block.mkdir()
     (block / "one.parquet").write_bytes((place / "block-00001.parquet").read_bytes())
-    with pytest.raises(ValueError, match="is damaged or missing; delete .+ computes this block"):
-        found.f.values
+    with pytest.raises(ValueError, match=r"is damaged or missing; delete .+ computes this block"):
+        found.load()
 
 
 @pytest.mark.filterwarnings("ignore:Object at .* is not recognized")
