@@ -282,6 +282,26 @@ print(found.is_stable.size)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pseudo terminals")
+def test_a_function_that_is_another_one_in_a_worker_process_is_refused(tmp_path):
+    """A worker imports the program anew: what is set later is not set there."""
+    program = tmp_path / "mine.py"
+    program.write_text(
+        "import sys\nfrom symhaptic import sweep\nGAIN, KNOWN = 2.0, {}\n"
+        "def mine(alpha):\n    KNOWN[len(KNOWN)] = alpha\n    return GAIN * alpha\n"
+        "if __name__ == '__main__':\n    GAIN = float(sys.argv[1])\n    try:\n"
+        "        found = sweep(mine, alpha=[0.0, 1.0], on='processes', workers=1, chunks=1)\n"
+        "        print(found.mine.values.tolist())\n"
+        "    except ValueError as wrong:\n        print(wrong)\n"
+    )
+
+    def told(gain):
+        command = [sys.executable, str(program), gain]
+        return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+    assert told("2.0") == "[0.0, 2.0]\n"
+    assert told("5.0").startswith("on: mine is another function in a worker process, which")
+
+
 def test_a_terminal_has_a_bar_of_errors_which_is_gone_at_the_end():
     """On standard error alone: what a program prints stays as it is."""
     import pty

@@ -100,7 +100,7 @@ def sweep(
     needed("symhaptic.sweep", "dask", "xarray", extra="sweep")
     if getattr(quantity, "__name__", quantity) == "passivity_boundary":
         axes = with_new_names(axes, {"omega": "theta"})
-    plan = plan_of(quantity, scene, over, reduce, chunks, axes)
+    plan = plan_of(quantity, scene, over, reduce, chunks, axes, to is not None or on != "threads")
     total = int(np.prod(plan.grid))
     if to is not None:
         if lazy:
