@@ -48,7 +48,9 @@ def test_the_record_is_of_the_text_that_is_written(name):
     except compiled.NoRocq as missing:
         pytest.fail(f"{expected_rocq()} is stale; `make rocq` writes it ({missing})")
     found = record([compiled.asked(one, WRITTEN)], None)
-    told = "; ".join(differences(found, RECORD)) or "as much is checked as before"
+    told = (
+        "; ".join(differences(found | {"chapters": {}}, RECORD)) or "as much is checked as before"
+    )
     pytest.fail(f"{expected_rocq()} is stale; `make rocq` writes it: {told}")
 
 

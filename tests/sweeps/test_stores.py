@@ -123,6 +123,27 @@ def test_labels_that_zarr_would_lose_or_change_are_refused(labels, name, said, t
 
 
 @pytest.mark.filterwarnings("ignore:.*does not have a Zarr V3 specification")
+@pytest.mark.parametrize("name", ["blocks", "zarr.json", "a/b", "..", ""])
+def test_a_result_whose_name_zarr_has_not_is_refused(name, tmp_path):
+    def f(a):
+        return a
+
+    f.__name__ = name
+    told = r"^quantity: a result has the name .+, which is not allowed in .+; give it another name"
+    with pytest.raises(ValueError, match=told):
+        sweep(f, a=[1.0], to=tmp_path / "kept.zarr")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_with_the_name_of_a_draft_is_none(tmp_path):
+    def f(a):
+        return a
+
+    f.__name__ = "f.partial"
+    found = sweep(f, a=[1.0], to=tmp_path / "kept.zarr")
+    assert found["f.partial"].values.tolist() == [1.0]
+
+
 def test_a_sweep_of_other_labels_is_another(tmp_path):
     place = tmp_path / "kept.zarr"
     sweep("is_stable", to=place, **arms(["Hogan", "Lee"]))

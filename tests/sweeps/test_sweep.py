@@ -234,6 +234,24 @@ def test_what_a_function_of_ones_own_gives_is_not_cut_to_a_kind(function, told):
         sweep(function, **{name: [1.0, 2.2]})
 
 
+@pytest.mark.parametrize(
+    ("function", "told"),
+    [
+        (lambda a: (a,) * (1 + int(a.max())), "gives 3 results at some points, and 1 at the first"),
+        (lambda a: (a,) * (3 - int(a.max())), "gives 1 results at some points, and 3 at the first"),
+        (lambda a: (), "returns nothing; give it a result"),
+    ],
+)
+def test_a_function_gives_as_many_results_everywhere(function, told):
+    """None is left out, and none is missed."""
+
+    def mine(a):
+        return function(np.asarray(a))
+
+    with pytest.raises(ValueError, match=rf"^quantity: mine {told}"):
+        sweep(mine, a=[0.0, 2.0], chunks=1)
+
+
 def test_unsigned_numbers_that_signed_ones_hold_are_kept():
     found = sweep(lambda x: np.asarray(x).astype(np.uint64 if np.size(x) > 1 else int), x=[1, 7])
     assert found["<lambda>"].to_numpy().tolist() == [1, 7]

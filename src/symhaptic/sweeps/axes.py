@@ -186,6 +186,8 @@ def _results(work: Work, first: Mapping[str, Any]) -> tuple[Result, ...]:
     """What a function of the user's own gives, by asking for the first point."""
     found = work.function(**first, **work.words)
     several = found if isinstance(found, tuple) else (found,)
+    if not several:
+        raise ValueError(f"quantity: {work.says} returns nothing; give it a result")
     names = getattr(found, "_fields", None) or [
         work.says if len(several) == 1 else f"{work.says}_{i}" for i in range(len(several))
     ]

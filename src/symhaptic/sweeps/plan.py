@@ -109,6 +109,12 @@ class Piece:
                 for n, a in self.inputs.items()
             }
             values = self.work(**here)
+            count = 1 + max(v.source for v in self.variables)
+            if len(values) != count and not self.work.results:
+                raise ValueError(
+                    f"quantity: {self.work.says} gives {len(values)} results at some points, and "
+                    f"{count} at the first; give as many everywhere"
+                )
             size = tuple(s.stop - s.start for s in tile)
             begins = all(s.start == 0 for s in tile[kept:])
             for into, variable in zip(found, self.variables, strict=True):

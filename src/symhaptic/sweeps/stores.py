@@ -28,7 +28,6 @@ from symhaptic.notation.quantities import shown
 from symhaptic.sweeps.plan import Piece, Plan
 
 if TYPE_CHECKING:
-    import xarray
     from numpy.typing import NDArray
 
 PLAN = "symhaptic_sweep"
@@ -41,7 +40,7 @@ _DONE = "blocks/done"
 """The array of Zarr with a mark for each block that is done."""
 
 _TAKEN = ("blocks", "zarr.json")
-"""Names that labels cannot have."""
+"""Names that labels and results cannot have."""
 
 
 def store(to: str | Path, plan: Plan) -> Store:
@@ -145,7 +144,7 @@ class Store:
                 return self._same(plan, text)
             if local:
                 raise ValueError(f"to: {self.place!r} exists and holds no sweep; give another name")
-        self._refuse_labels(plan.labels)
+        self._refuse_names(plan)
         if not local:
             return self._make(self.place, plan)
         with _beside(Path(self.place)) as draft:
@@ -199,7 +198,7 @@ class Store:
                         f"to: another process is writing to {self.place!r}; wait until it has "
                         "ended, or give another place"
                     ) from None
-            for draft in Path(self.place).rglob(self.DRAFTS):
+            for draft in filter(Path.is_file, Path(self.place).rglob(self.DRAFTS)):
                 draft.unlink(missing_ok=True)
             yield
 
@@ -218,8 +217,8 @@ class Store:
         """The description of the sweep that is there."""
         raise NotImplementedError
 
-    def _refuse_labels(self, labels: xarray.Dataset) -> None:
-        """Refuse labels that would be lost or changed."""
+    def _refuse_names(self, plan: Plan) -> None:
+        """Refuse labels that would be lost or changed, and results without a name there."""
 
     def _make(self, place: str, plan: Plan) -> None:
         """Make the store without any block."""
@@ -288,11 +287,17 @@ class Zarr(Store):
         files = {name: zlib.crc32(_bytes(f"{place}/{name}")) for name in names}
         group.attrs[PLAN] = _sealed(self._describe(plan) | {"files": files})
 
-    def _refuse_labels(self, labels: xarray.Dataset) -> None:
+    def _refuse_names(self, plan: Plan) -> None:
         import xarray
         from zarr.storage import MemoryStore
 
-        for name, coord in labels.coords.items():
+        for one in plan.variables:
+            if one.name in _TAKEN or not one.name.strip(".") or "/" in one.name:
+                raise ValueError(
+                    f"quantity: a result has the name {one.name!r}, which is not allowed in "
+                    f"{self.place!r}; give it another name, or a place that ends in .parquet"
+                )
+        for name, coord in plan.labels.coords.items():
             tried = MemoryStore()
             try:
                 one = xarray.Dataset(coords={name: coord.variable})
