@@ -291,10 +291,10 @@ class Zarr(Store):
         import xarray
         from zarr.storage import MemoryStore
 
-        for one in plan.variables:
-            if one.name in _TAKEN or not one.name.strip(".") or "/" in one.name:
+        for result in plan.variables:
+            if result.name in _TAKEN or not result.name.strip(".") or "/" in result.name:
                 raise ValueError(
-                    f"quantity: a result has the name {one.name!r}, which is not allowed in "
+                    f"quantity: a result has the name {result.name!r}, which is not allowed in "
                     f"{self.place!r}; give it another name, or a place that ends in .parquet"
                 )
         for name, coord in plan.labels.coords.items():

@@ -44,7 +44,8 @@ def sweep(
     ----------
     quantity : str or callable
         A public function of arrays or its name, such as ``"is_stable"``, or a function of your own,
-        which takes arrays by name; processes must be able to import it.
+        which takes arrays by name and computes each point by itself: it is given a part of the
+        points at a time.  Processes must be able to import it.
     scene : Scene, optional
         With a scene, axes and results are in SI units, and the scene provides the values that no
         axis gives.  For stability, the scene's arm is added to the device, (2); for passivity, it
