@@ -42,6 +42,8 @@ CRITICAL = {
     "single": (4562.21728515625, 135.08837890625),
 }
 """Next to critical damping: n0 needs the square of delta/2, rounded, before gamma is subtracted."""
+NEAR_PI = 3.141592025756836, 0.02618967555463314, 2.8793745274376115e-13
+"""The angle, the damping and the delay of a passive wall; single precision."""
 
 
 def flags():
@@ -112,3 +114,28 @@ def test_the_self_test_in_fortran_fails_with_flags_that_break_it(precision, tmp_
         run([*command, "src/haptic.f90", "test/selftest.f90"], folder)
         done = subprocess.run(["./selftest"], cwd=folder, capture_output=True, check=False)
         assert done.returncode == status, flag
+
+
+IN_C = """#include "haptic.h"
+#include <stdio.h>
+int main(void) {
+    float alpha, beta;
+    haptic_passivity_boundary(THETA, DELTA, D, &alpha, &beta);
+    printf("%.9g", (double)alpha);
+}
+"""
+
+
+@pytest.mark.parametrize("language", ["c", "microcontroller"])
+def test_no_passive_wall_is_stiffer_than_twice_the_damping(language, tmp_path):
+    """At the angles 0 and pi a wall without delay needs alpha/2 - beta and alpha/2 + beta."""
+    needs("gcc")
+    fused = flags()
+    folder = built(language, "single", ["passivity_boundary"], tmp_path)
+    text = IN_C
+    for name, value in zip(("THETA", "DELTA", "D"), NEAR_PI, strict=True):
+        text = re.sub(rf"\b{name}\b", f"{value!r}f", text)
+    (folder / "main.c").write_text(text)
+    run(["gcc", "-O3", *fused, "-o", "main", "main.c", "haptic.c", "-lm"], folder)
+    alpha = float(run(["./main"], folder))
+    assert alpha == pytest.approx(2 * NEAR_PI[1], rel=1e-5)

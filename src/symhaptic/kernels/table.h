@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#define STAMP "48ee5efd360a3443"
+#define STAMP "d6e818ec88c548c3"
 
 extern "C" {
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
