@@ -754,8 +754,12 @@ class ArrayApi(Target):
         return f"{', '.join(names)} = {function}(xp, {args})"
 
     def notes(self, library: Library) -> list[str]:
-        """What must not be done to it."""
-        return ["Never compile it with fastmath=True (Numba) or its like: NaN would be lost."]
+        """What it makes of arrays, and what must not be done to it."""
+        return [
+            "Arrays of float32 are worked on in single precision, all others in double: longer",
+            "floats are rounded. What is masked, or is no real number, is outside every domain.",
+            "Never compile it with fastmath=True (Numba) or its like: NaN would be lost.",
+        ]
 
     def usage(self, library: Library) -> str:
         """What it needs, and an import of the first function."""

@@ -82,6 +82,7 @@ def arrays(*values):
     xp = array_namespace(*given)
     kinds = [v.dtype for v in given if xp.isdtype(v.dtype, "real floating")]
     kind = xp.result_type(xp.float32, *kinds) if kinds else _default(xp)
+    kind = xp.float32 if kind == xp.float32 else xp.float64  # bounds and halves are of these two
     where = {} if is_lazy_array(given[0]) else {"device": device(given[0])}
     return xp, *(
         _real(xp, v, kind)
@@ -92,12 +93,15 @@ def arrays(*values):
 
 
 def _real(xp, v, kind):
-    """The array in this kind, NaN where its elements are complex, text or dates."""
+    """The array in this kind, NaN where its elements are complex, text, dates or masked."""
+    if isinstance(v, numpy.ma.MaskedArray):
+        return xp.where(numpy.ma.getmaskarray(v), math.nan, _real(xp, v.data, kind))
     if getattr(v.dtype, "kind", None) == "O":
         return xp.reshape(xp.asarray([_outside_or(x) for x in v.flat], dtype=kind), v.shape)
     if xp.isdtype(v.dtype, "complex floating") or getattr(v.dtype, "kind", None) in tuple("USMmV"):
         return xp.full_like(v, math.nan, dtype=kind)
-    return xp.astype(v, kind, copy=False)
+    with numpy.errstate(over="ignore"):  # of a longer float, which then is outside
+        return xp.astype(v, kind, copy=False)
 
 
 def _outside_or(v):
@@ -2495,24 +2499,20 @@ def turning(xp, phi, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7,
     t4 = t3/t2
     t5 = 0.5*t4
     t6 = t - t5
-    t7 = epsilon*(1.0 - epsilon)
+    t7 = t6*wave5
     t8 = 2.0*l
-    t9 = 2.0*t4/(wave7*wave7)
+    t9 = t5/wave7
+    t10 = t9*wave9*(t8 + 1.0)
+    t11 = epsilon*(1.0 - epsilon)
+    t4 = 2.0*t4/(wave7*wave7)
     base = t8 + 2.0
-    t10 = (base*base)*t*wave10 - t9*wave3
-    t11 = t6*wave5
-    t12 = 1.0/wave7
-    t13 = wave9*(t8 + 1.0)
-    t14 = t12*t5
-    t15 = t13*t14
-    t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
+    t13 = (base*base)*t*wave10 - t4*wave3
+    mean = epsilon*(t7 - t10 - t6*wave6 + t9*wave11*(t8 + 3.0)) + t10 - t7
     base = t8 + 4.0
-    base3 = t15 - t11 + t14
     return (
-        -2.0*t6*t7*wave8*(t + t5) - (epsilon*((base*base)*t*wave12 - t10 - t9*wave4) + t10)*
-        (0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*
-        square_root(xp, base3*base3 + t7*(4.0*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/
-        (t2*t2))))
+        -2.0*t11*t6*wave8*(t + t5) - (0.5*mean + 0.5*
+        square_root(xp, mean*mean + t11*(4.0*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/
+        (t2*t2))))*(epsilon*((base*base)*t*wave12 - t4*wave4 - t13) + t13)
     )
 
 

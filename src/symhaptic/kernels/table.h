@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#define STAMP "752b67c1e4b39940"
+#define STAMP "2083e8f8e4863035"
 
 extern "C" {
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
