@@ -430,6 +430,13 @@ CROSSING = '''def crossing(xp, value, low, high, close, given):
     return select(xp, above <= 0.0, lambda low: low, (low,), beyond, (low, above, high, *given))
 '''.replace("MOST", str(MOST))
 
+UNFUSED = '''def unfused(xp, product):
+    """A product that a compiler does not join with a sum, as XLA does: it is rounded first."""
+    if deferred(product):
+        return xp.where(xp.abs(product) < math.inf, product, math.nan)
+    return product
+'''
+
 HALVES = '''def halves(xp, y):
     """A number as two of half its digits, whose products are exact.
 
@@ -439,7 +446,7 @@ HALVES = '''def halves(xp, y):
     if isinstance(y, numpy.ndarray) and y.dtype == xp.float64:
         high = (y.view(numpy.int64) & -(2**27)).view(numpy.float64)
     else:
-        big = (134217729.0 if y.dtype == xp.float64 else 4097.0)*y
+        big = unfused(xp, (134217729.0 if y.dtype == xp.float64 else 4097.0)*y)
         high = big - (big - y)
     return high, y - high
 '''

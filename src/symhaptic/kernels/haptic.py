@@ -383,6 +383,13 @@ def one_minus(xp, x, x_low):
     return total, total_low - x_low
 
 
+def unfused(xp, product):
+    """A product that a compiler does not join with a sum, as XLA does: it is rounded first."""
+    if deferred(product):
+        return xp.where(xp.abs(product) < math.inf, product, math.nan)
+    return product
+
+
 def halves(xp, y):
     """A number as two of half its digits, whose products are exact.
 
@@ -392,7 +399,7 @@ def halves(xp, y):
     if isinstance(y, numpy.ndarray) and y.dtype == xp.float64:
         high = (y.view(numpy.int64) & -(2**27)).view(numpy.float64)
     else:
-        big = (134217729.0 if y.dtype == xp.float64 else 4097.0)*y
+        big = unfused(xp, (134217729.0 if y.dtype == xp.float64 else 4097.0)*y)
         high = big - (big - y)
     return high, y - high
 
@@ -413,7 +420,8 @@ def two_prod_error(product, one, two):
 
 def wide_prod(xp, x, y, y_low):
     """x y of a float and a pair"""
-    return x*y, x*y_low + two_prod_error(x*y, halves(xp, x), halves(xp, y))
+    return unfused(xp, x*y), x*y_low + two_prod_error(unfused(xp, x*y), halves(xp, x),
+        halves(xp, y))
 
 
 def pair_prod(xp, x, x_low, y, y_low):
@@ -435,8 +443,8 @@ def brief_fading(xp, rate, rate_low):
 def pair_quot(xp, x, x_low, y, y_low):
     """x/y of pairs"""
     total = x/y
-    left = x - total*y
-    left = left - two_prod_error(total*y, halves(xp, total), halves(xp, y))
+    left = x - unfused(xp, total*y)
+    left = left - two_prod_error(unfused(xp, total*y), halves(xp, total), halves(xp, y))
     rest = x_low - total*y_low
     left = left + rest
     return total, left/y
@@ -457,9 +465,9 @@ def fading_pair(xp, rate, rate_low):
 def root_miss(xp, square, square_low, root):
     """what the root of |square + square_low| misses"""
     sign_low = xp.where(square < 0.0, -square_low, square_low)
-    left = xp.abs(square) - (root*root)
+    left = xp.abs(square) - unfused(xp, root*root)
     root_halves = halves(xp, root)
-    left = left - two_prod_error(root*root, root_halves, root_halves)
+    left = left - two_prod_error(unfused(xp, root*root), root_halves, root_halves)
     left = left + sign_low
     whole = xp.where(root == 0.0, 1.0, root)
     return 0.5*left/whole
@@ -495,7 +503,7 @@ def two_diff(xp, x, y):
 
 def two_prod(xp, x, y):
     """x y and what it misses"""
-    return x*y, two_prod_error(x*y, halves(xp, x), halves(xp, y))
+    return unfused(xp, x*y), two_prod_error(unfused(xp, x*y), halves(xp, x), halves(xp, y))
 
 
 def device_motion(xp, gamma, delta):
@@ -1799,16 +1807,16 @@ def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together, apart, across)
     psi)
     """
     t = xp.tan(psi)
-    square = (t*t)
+    square = unfused(xp, t*t)
     t_halves = halves(xp, t)
     low = two_prod_error(square, t_halves, t_halves)
-    diff, diff_low = two_diff(xp, at_one, at_minus_one*square)
+    diff, diff_low = two_diff(xp, at_one, unfused(xp, at_minus_one*square))
     square_halves = halves(xp, square)
-    missed = at_minus_one*low + two_prod_error(at_minus_one*square, halves(xp, at_minus_one),
-        square_halves)
+    missed = at_minus_one*low + two_prod_error(unfused(xp, at_minus_one*square),
+        halves(xp, at_minus_one), square_halves)
     total, total_low = fast_two_sum(xp, diff, diff_low - missed)
-    diff, diff_low = two_diff(xp, together, apart*square)
-    missed = apart*low + two_prod_error(apart*square, halves(xp, apart), square_halves)
+    diff, diff_low = two_diff(xp, together, unfused(xp, apart*square))
+    missed = apart*low + two_prod_error(unfused(xp, apart*square), halves(xp, apart), square_halves)
     total2, total_low2 = fast_two_sum(xp, diff, diff_low - missed)
     above_j = 2.0*loss*t
     below_j = across*t
@@ -1856,23 +1864,23 @@ def next_wave_single(xp, k, x):
     """The same in single precision."""
     count = k + 1.0
     before = count - 1.0
-    angle = count*x
+    angle = unfused(xp, count*x)
     missed = k - before
     quarters = xp.floor(2.0*angle/3.141592653589793 + 0.5)
     quarters_halves = halves(xp, quarters)
-    diff, diff_low = two_diff(xp, angle - 1.5707963705062866*quarters,
-        two_prod_error(quarters*1.5707963705062866, quarters_halves,
+    diff, diff_low = two_diff(xp, angle - unfused(xp, 1.5707963705062866*quarters),
+        two_prod_error(unfused(xp, quarters*1.5707963705062866), quarters_halves,
         halves(xp, xp.full_like(quarters, 1.5707963705062866))))
-    diff, diff_low2 = two_diff(xp, diff, -4.371138828673793e-08*quarters)
+    diff, diff_low2 = two_diff(xp, diff, unfused(xp, -4.371138828673793e-08*quarters))
     x_halves = halves(xp, x)
     diff, diff_low3 = two_diff(xp, diff, -two_prod_error(angle, halves(xp, count), x_halves))
-    diff, diff_low4 = two_diff(xp, diff, -missed*x)
+    diff, diff_low4 = two_diff(xp, diff, -unfused(xp, missed*x))
     low = (
         diff_low + diff_low2 + diff_low3 + diff_low4 + 1.7151245100058819e-15*quarters -
-        two_prod_error(quarters*-4.371138828673793e-08, quarters_halves,
+        two_prod_error(unfused(xp, quarters*-4.371138828673793e-08), quarters_halves,
         halves(xp, xp.full_like(quarters, -4.371138828673793e-08)))
     )
-    low = low + two_prod_error(missed*x, halves(xp, missed), x_halves)
+    low = low + two_prod_error(unfused(xp, missed*x), halves(xp, missed), x_halves)
     wave = xp.sin(diff)
     still = xp.cos(diff)
     turn_ = quarters - 4.0*xp.floor(0.25*quarters)
@@ -1893,7 +1901,7 @@ def next_wave(xp, k, x):
         return next_wave_single(xp, k, x)
     count = k + 1.0
     before = count - 1.0
-    angle = count*x
+    angle = unfused(xp, count*x)
     missed = k - before
     off = missed*x + two_prod_error(angle, halves(xp, count), halves(xp, x))
     sine = xp.sin(angle)
