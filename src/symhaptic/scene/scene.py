@@ -990,7 +990,8 @@ class Scene(DeviceLoop):
         float or array
             The margin in s.  The wall is stable for every delay from the scene's own up to its own
             plus the margin.  0 for a wall that is unstable at the scene's delay.  NaN (not
-            computed) for a wall that is stable there but not at every smaller delay.
+            computed) for a wall that is stable there but not at every smaller delay, unless the
+            scene has further parts.
 
         Raises
         ------
