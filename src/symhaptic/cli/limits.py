@@ -57,7 +57,7 @@ def limits(
     ] = None,
     chart: Annotated[
         bool,
-        typer.Option("--chart", help="Also give the limits for many dampings B, the K-B chart."),
+        typer.Option("--chart", help="Also compute the limits for many dampings B: the K-B chart."),
     ] = False,
 ) -> None:
     """Print the limits of stable and passive walls for a device.
@@ -72,7 +72,7 @@ def limits(
 
     writable(output)
     if output is not None and output.resolve() == device.resolve():
-        refuse(f"-o {output}: is what is read here; give another file")
+        refuse(f"-o {output}: is the input file; give another one")
     said, into = asked(output, format)
     if into in DRAWN:
         can_draw(f"-o {output}")

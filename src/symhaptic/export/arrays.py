@@ -755,7 +755,10 @@ class ArrayApi(Target):
 
     def notes(self, library: Library) -> list[str]:
         """What must not be done to it."""
-        return ["Never compile it with fastmath=True (Numba) or its like: NaN would be lost."]
+        return [
+            "Never compile it with fastmath=True (Numba) or a similar option, which assumes that",
+            "there is no NaN.",
+        ]
 
     def usage(self, library: Library) -> str:
         """What it needs, and an import of the first function."""

@@ -146,7 +146,7 @@ class Fortran(Target):
             "and `fpm test` runs the self-test.",
             "",
             "Never compile it with -ffast-math, -Ofast, -Mfprelaxed or -fp-model=fast (ifx's own;",
-            "-fp-model=precise is right): these take it that there is no NaN, and rewrite sums.",
+            "-fp-model=precise is right): they assume that there is no NaN, and reorder sums.",
             "For 32-bit x86, compile it with -msse2 -mfpmath=sse: the x87 unit rounds each step to",
             "more digits, and a wall that is not stable may then count as stable.",
         ]
