@@ -393,7 +393,7 @@ def test_a_device_is_not_written_over(device):
     place = device.rename(device.with_suffix(".txt"))
     done = symhaptic("limits", place, "-o", place)
     assert done.returncode == 2
-    assert done.stderr.endswith(": is what is read here; give another file\n")
+    assert done.stderr.endswith(": is the input file; give another one\n")
     assert place.read_text() == text
 
 
