@@ -34,7 +34,7 @@ def _normalised(parts: Parts, expr: Expr) -> Expr:
 
 def _needs_damping(parts: Parts, name: str) -> None:
     if not parts.damping:
-        raise NoForm(f"{name}: a scene without damping has no passive wall with stiffness")
+        raise NoForm(f"{name}: a scene without damping has no passive walls with stiffness")
 
 
 def passivity_margin_at(parts: Parts = FULL) -> Form:
