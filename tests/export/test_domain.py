@@ -82,7 +82,7 @@ def test_every_self_test_asks_for_it(form, precision):
 @pytest.mark.parametrize("language", TARGETS)
 def test_a_self_test_notices_that_nobody_asks(language, tmp_path, monkeypatch):
     """A mutant: the same functions without a guard."""
-    plain = libraries.routine
+    plain = libraries.of_form
 
     def unguarded(form, precision):
         return replace(plain(form, precision), within=())
@@ -96,7 +96,7 @@ def test_a_self_test_notices_that_nobody_asks(language, tmp_path, monkeypatch):
             table(", ".join(f'"{name}": {always}' for name in names.values()))
         ])  # fmt: skip
     else:
-        monkeypatch.setattr(libraries, "routine", unguarded)
+        monkeypatch.setattr(libraries, "of_form", unguarded)
     _, files = request.built(target, forms)
     request.write(files, tmp_path / "out")
     with pytest.raises(AssertionError, match=r"missed|instead of nan"):

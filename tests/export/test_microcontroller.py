@@ -93,7 +93,7 @@ def test_no_double_and_no_memory_is_linked(core, folder):
     assert not re.search(r"\bexpf\b", asked)
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.parametrize("name", SIZES)
 def test_the_bytes_are_those_that_the_readme_says(name, tmp_path):
     needs(COMPILER)

@@ -116,6 +116,28 @@ def test_vectors_of_jax_compiled():
     hold(jax.jit(haptic.discretize)(*map(make, columns)), expected, tolerance)
 
 
+@pytest.mark.ci
+def test_stiff_devices_of_jax_compiled():
+    """XLA joins a product and a sum; the product's rounding error was then subtracted twice."""
+    make, jax = jax_numpy().asarray, pytest.importorskip("jax")
+    gamma, delta = np.array([(1.3 * 10.0**k, 0.03) for k in range(1, 13)]).T
+    found = host(jax.jit(haptic.discretize)(make(gamma), make(delta)))
+    with mpmath.workdps(60):
+        for g, d, n1 in zip(gamma, delta, found[0], strict=True):
+            root = mpmath.sqrt(mpf(g) - mpf(d) ** 2 / 4)
+            wave = mpmath.cos(root) + mpf(d) / 2 * mpmath.sin(root) / root
+            expected = (1 - mpmath.exp(-mpf(d) / 2) * wave) / mpf(g)
+            assert n1 == pytest.approx(float(expected), rel=1e-15, abs=0), g
+
+
+@pytest.mark.slow
+def test_an_unstable_wall_of_jax_compiled():
+    """Two of its roots lie outside of the unit circle by 2e-14, as mpmath finds to 120 digits."""
+    make, jax = jax_numpy().asarray, pytest.importorskip("jax")
+    wall = 1.1542065691417248e19, -2.885548476338517e18, 986171029.6704594, 6.835241456660492e-10, 0
+    assert not jax.jit(haptic.is_stable)(*(make([float(x)]) for x in wall))
+
+
 @pytest.mark.slow
 def test_root_counts_of_jax_compiled():
     """NaN gives -1: what is traced raises no error."""

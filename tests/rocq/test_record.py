@@ -48,7 +48,9 @@ def test_the_record_is_of_the_text_that_is_written(name):
     except compiled.NoRocq as missing:
         pytest.fail(f"{expected_rocq()} is stale; `make rocq` writes it ({missing})")
     found = record([compiled.asked(one, WRITTEN)], None)
-    told = "; ".join(differences(found, RECORD)) or "as much is checked as before"
+    told = (
+        "; ".join(differences(found | {"chapters": {}}, RECORD)) or "as much is checked as before"
+    )
     pytest.fail(f"{expected_rocq()} is stale; `make rocq` writes it: {told}")
 
 
@@ -153,6 +155,61 @@ def test_an_axiom_that_nobody_named_leaves_nothing_whole():
     told = assumptions.told(file, rests)
     assert told[id] == "it rests on proof_irrelevance, which nobody named"
     assert assumptions.told(file, {id: [foreign.REALS]})[id] == "whole"
+
+
+@pytest.mark.parametrize(
+    "left_out",
+    [
+        "loop is assumed to be guarded.",
+        "bad is assumed to be positive.",
+        "cheat relies on an unsafe hierarchy.",
+        "Theory:\nType hierarchy is collapsed (logic is inconsistent)",
+        "ClassicalDedekindReals.cheat : False",
+        "functional_extensionality_depends : False",
+        "Prelude.rule_stored_1 : False",
+    ],
+)
+def test_a_check_that_rocq_left_out_leaves_nothing_whole(left_out):
+    """As Rocq 8.16 says it of what was compiled with one of its checks switched off."""
+    steps = [
+        Step("rule_stored_1", "stored", (), (), proposition(Symbol("x") > 0), "True", "Axiom"),
+        Step("lemma_1", "rule", (), (), proposition(Symbol("x") > 0), "True"),
+    ]
+    mine = File("mine", "Mine", steps, {"one": ("lemma_1",)})
+    listed = assumptions.axioms(f"Axioms:\n{left_out}\nClassical_Prop.classic : True\n")
+    told = assumptions.told(mine, assumptions.resting(mine, listed, {}))
+    assert told["one"].endswith("which nobody named")
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("coqc") is None, reason=compiled.INSTALL)
+@pytest.mark.parametrize(
+    "cheat",
+    [
+        "Unset Guard Checking.\nFixpoint cheat (n : nat) : False := cheat n.\n",
+        "Unset Positivity Checking.\nInductive bad : Prop := B : (bad -> False) -> bad.\n"
+        "Definition no (b : bad) : False := match b with B f => f b end.\n"
+        "Definition cheat (n : nat) : False := no (B no).\n",
+    ],
+)
+def test_rocq_without_one_of_its_checks_proves_nothing_whole(cheat, tmp_path):
+    (tmp_path / "cheat.v").write_text(f"{cheat}Print Assumptions cheat.\n")
+    done = compiled._compiled(tmp_path, "cheat")
+    assert done.returncode == 0, done.stderr
+    assert assumptions.axioms(done.stdout) - set(foreign.LIBRARY)
+
+
+def test_another_text_than_the_record_s_is_told():
+    """Of a definition that says nothing, what is made of it is whole, too."""
+    chapters = {"mine": {"text": "a", "leaves": False, "open": {}}}
+    other = {"mine": {"text": "b", "leaves": False, "open": {}}}
+    found, known = ({"statements": {}, "chapters": some} for some in (chapters, other))
+    assert differences(found, found) == []
+    assert differences(found, known) == [
+        "mine: its text, or the library that it imports, is not that of the record"
+    ]
+    alone = {"mine": {"text": "b", "leaves": True, "open": {}}}
+    assert differences(found, {"statements": {}, "chapters": alone}) == []
 
 
 @pytest.mark.slow

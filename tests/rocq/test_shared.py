@@ -150,7 +150,7 @@ def test_an_index_that_lies_is_found_out(folder):
 
 @pytest.mark.slow
 @needs_rocq
-def test_a_chapter_that_takes_all_rests_on_the_same(folder):
+def test_a_chapter_that_takes_all_rests_on_the_same(folder, monkeypatch):
     """Under the names of its own axioms; and what it is marked by is what is written."""
     one = chapter("s3b_envelope")
     first = compiled.asked(one, folder)
@@ -165,6 +165,8 @@ def test_a_chapter_that_takes_all_rests_on_the_same(folder):
     assert foreign.REALS in next(iter(again.rests.values()))
     (folder / "s3b_envelope.v").write_text("(* In other words. *)")
     assert compiled.asked(one, folder).kept
+    monkeypatch.setattr(compiled, "reader", lambda: "another compiler")
+    assert not compiled.asked(one, folder).kept
     assert (folder / "s3b_envelope.v").read_text() == compiled.printed(one).written()
 
 

@@ -1,10 +1,11 @@
 """The second check says no to what is not a proof, whatever a certificate is made of."""
 
 from dataclasses import fields, replace
+from numbers import Number
 
 import pytest
 import sympy as sp
-from flint import arb
+from flint import acb, arb
 from sympy import I, Rational, S, cos, oo, pi, sqrt, tan
 
 from symhaptic import recheck
@@ -15,7 +16,7 @@ from symhaptic.proof.certificate import Known, Largest, Positive, Zero
 from symhaptic.proof.plants import Named
 from symhaptic.proof.roots import zero
 from symhaptic.proof.theorems import kernel
-from symhaptic.proof.theorems.leaves import on_plants
+from symhaptic.proof.theorems.leaves import on_box, on_plants
 
 x, y, h = sp.symbols("x y h")
 ENDS = [
@@ -167,3 +168,114 @@ def test_what_is_made_of_anything_shows_nothing(of):
     for given in (Known, Named):
         for junk in JUNK:
             assert recheck(Positive(x, {x: (1, 2)}, ".", 96, given({y: junk}))) in (True, False)
+
+
+class Shifting(Number):
+    """A number that is 1 the first time, and 0 afterwards."""
+
+    asked = 0
+
+    def _sympy_(self):
+        self.asked += 1
+        return S(int(self.asked == 1))
+
+    __hash__ = object.__hash__
+
+
+class Five(sp.Expr):
+    """What says that it is the number 5."""
+
+    is_Rational, p, q = True, 5, 1  # noqa: N815
+
+
+class Everything(sp.Symbol):
+    """A symbol that is equal to x."""
+
+    def __eq__(self, other):
+        return isinstance(other, sp.Symbol)
+
+    def __hash__(self):
+        return hash(x)
+
+
+class Elsewhere(arb):
+    """A ball that lies elsewhere when its ends are asked for."""
+
+    def lower(self):
+        return arb("1.5")
+
+    def upper(self):
+        return arb("1.6")
+
+
+class Wide(int):
+    """A precision that is in every range."""
+
+    def __ge__(self, other):
+        return True
+
+    __le__ = __ge__
+
+
+class Split(str):
+    """Cuts whose signs are numbers of symbols that there are not."""
+
+    def __iter__(self):
+        return iter([Split("0"), ".", "."])
+
+    def isdecimal(self):
+        return True
+
+    def __int__(self):
+        return -1
+
+
+class Like(Positive):
+    """A certificate of a class of one's own."""
+
+
+class Meant:
+    """Meanings of a class of one's own, which has a number for everything."""
+
+    of, meanings = (), {h: y}
+
+    def numbers(self, at):
+        return {y: acb(5)}
+
+
+COSINE_ROOT = zero(cos(x), x, S.One, S(2))
+SPOKEN = {
+    "an end": Positive(x - HALF, {x: (Shifting(), S(2))}, ".", 96),
+    "a number": Positive(Five(), {x: (0, 1)}, ".", 96),
+    "a number in a sum": Positive(x + Five(), {x: (0, 1)}, ".", 96),
+    "a side": Positive(x - HALF, {x: (1, 2)}, ".", 96, None, (Five(),)),
+    "a symbol of the box": Positive(x - HALF, {Everything("y"): (1, 2)}, ".", 96),
+    "a symbol": Positive(Everything("y") - HALF, {x: (1, 2)}, ".", 96),
+    "cuts": Positive(x, {x: (1, 2)}, Split("0.."), 96),
+    "a precision": Positive(x, {x: (1, 2)}, ".", Wide(-5)),
+    "what is given": Positive(h - 4, {x: (0, 1)}, ".", 96, Meant()),
+    "a ball that is given": Positive(h - 1, {x: (0, 1)}, ".", 96, Known({h: Elsewhere(3)})),
+    "a ball": replace(COSINE_ROOT, ball=Elsewhere(5)),
+    "a precision of a zero": replace(COSINE_ROOT, bits=Wide(-5)),
+    "an upper bound": replace(LARGEST, where={x: Shifting()}),
+}
+
+
+@pytest.mark.parametrize("name", SPOKEN)
+def test_no_class_of_ones_own_speaks_for_itself(name):
+    assert not recheck(SPOKEN[name])
+
+
+def test_an_end_that_changes_is_no_end_of_a_theorem():
+    """0 <= x <= 2 would give 0 < x - 1/2, which is false at 1/4."""
+    with pytest.raises(kernel.NotShown):
+        on_box(Positive(x - HALF, {x: (Shifting(), S(2))}, ".", 96))
+
+
+def test_a_certificate_of_a_class_of_ones_own_is_none():
+    with pytest.raises(TypeError, match="is no certificate"):
+        recheck(Like(x, {x: (1, 2)}, ".", 96))
+
+
+def test_next_to_a_pole_of_the_cotangent_no_zero_is_shown():
+    assert not recheck(Zero(sp.cot(x), x, (-S.One, S.One), arb("0 +/- 0.5"), 96))

@@ -123,6 +123,27 @@ def test_labels_that_zarr_would_lose_or_change_are_refused(labels, name, said, t
 
 
 @pytest.mark.filterwarnings("ignore:.*does not have a Zarr V3 specification")
+@pytest.mark.parametrize("name", ["blocks", "zarr.json", "a/b", "..", ""])
+def test_a_result_whose_name_zarr_has_not_is_refused(name, tmp_path):
+    def f(a):
+        return a
+
+    f.__name__ = name
+    told = r"^quantity: a result has the name .+, which is not allowed in .+; give it another name"
+    with pytest.raises(ValueError, match=told):
+        sweep(f, a=[1.0], to=tmp_path / "kept.zarr")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_with_the_name_of_a_draft_is_none(tmp_path):
+    def f(a):
+        return a
+
+    f.__name__ = "f.partial"
+    found = sweep(f, a=[1.0], to=tmp_path / "kept.zarr")
+    assert found["f.partial"].values.tolist() == [1.0]
+
+
 def test_a_sweep_of_other_labels_is_another(tmp_path):
     place = tmp_path / "kept.zarr"
     sweep("is_stable", to=place, **arms(["Hogan", "Lee"]))
@@ -211,6 +232,35 @@ def test_another_sweep_is_refused(kind, tmp_path):
     with pytest.raises(ValueError, match=r"^to: .+ exists and holds no sweep"):
         sweep("max_stable_stiffness", gamma=0.0, **{**axes, "to": stranger})
     assert [p.name for p in stranger.iterdir()] == ["letter"]
+
+
+@pytest.mark.parametrize("kind", ["zarr", "parquet"])
+@pytest.mark.parametrize(
+    ("first", "second", "said"),
+    [
+        ({"over": "b", "reduce": "min"}, {"over": "b", "reduce": "max"}, "variables"),
+        ({"over": "b", "reduce": ("min", "max")}, {"over": "b", "reduce": ("max", "min")},
+         "variables"),
+        ({}, {"swapped": True}, "dimensions"),
+        ({"chunks": 2}, {"chunks": 2, "swapped": True}, "dimensions"),
+    ],
+)  # fmt: skip
+def test_another_reduction_and_another_order_are_another_sweep(first, second, said, kind, tmp_path):
+    """Neither the names of the results nor the lengths of their dimensions tell them apart."""
+
+    def f(a, b):
+        return 10 * a + b
+
+    def swept(words):
+        axes = {"a": [0.0, 1.0], "b": [5.0, 6.0]}
+        if words.get("swapped"):
+            axes = dict(reversed(axes.items()))
+        words = {n: word for n, word in words.items() if n != "swapped"}
+        return sweep(f, to=tmp_path / f"kept.{kind}", **words, **axes)
+
+    swept(first)
+    with pytest.raises(ValueError, match=rf"which differs in {said}"):
+        swept(second)
 
 
 def test_a_function_that_has_changed_is_refused(tmp_path):
@@ -317,6 +367,45 @@ def test_no_flipped_bit_gives_other_values(kind, tmp_path):
         file.write_bytes(whole)
         assert refused
     assert np.array_equal(found.alpha.values, wanted, equal_nan=True)
+
+
+@pytest.mark.parametrize("kind", ["zarr", "parquet"])
+@pytest.mark.parametrize("other", ["block", "sweep"])
+def test_a_block_in_the_place_of_another_is_not_read(other, kind, tmp_path):
+    """With its own mark, as a copy of a part of a store leaves it."""
+
+    def f(a):
+        return a
+
+    def stored(name, factor):
+        return sweep(f, a=factor * np.arange(3), to=tmp_path / f"{name}.{kind}", chunks=1)
+
+    found, _ = stored("kept", 1.0), stored("other", 2.0)
+    place = tmp_path / f"kept.{kind}"
+    taken = place if other == "block" else tmp_path / f"other.{kind}"
+    files = {"zarr": ("f/c/{}", "blocks/done/c/{}/0"), "parquet": ("block-{:05}.parquet",)}[kind]
+    for file in files:
+        (place / file.format(2)).write_bytes((taken / file.format(1)).read_bytes())
+    with pytest.raises(ValueError, match=r"is damaged or missing; delete .+ computes this block"):
+        found.load()
+
+
+def test_a_folder_with_the_name_of_a_block_or_of_a_column_is_no_data(tmp_path):
+    """PyArrow reads a folder as a table, and the name of a folder as a column."""
+    place = tmp_path / "f=7" / "kept.parquet"
+    place.parent.mkdir()
+
+    def f(a):
+        return a
+
+    found = sweep(f, a=[1.0, 2.0], to=place, chunks=1)
+    assert found.f.values.tolist() == [1.0, 2.0]
+    block = place / "block-00000.parquet"
+    block.unlink()
+    block.mkdir()
+    (block / "one.parquet").write_bytes((place / "block-00001.parquet").read_bytes())
+    with pytest.raises(ValueError, match=r"is damaged or missing; delete .+ computes this block"):
+        found.load()
 
 
 @pytest.mark.filterwarnings("ignore:Object at .* is not recognized")

@@ -234,6 +234,24 @@ def test_what_a_function_of_ones_own_gives_is_not_cut_to_a_kind(function, told):
         sweep(function, **{name: [1.0, 2.2]})
 
 
+@pytest.mark.parametrize(
+    ("function", "told"),
+    [
+        (lambda a: (a,) * (1 + int(a.max())), "gives 3 results at some points, and 1 at the first"),
+        (lambda a: (a,) * (3 - int(a.max())), "gives 1 results at some points, and 3 at the first"),
+        (lambda a: (), "returns nothing; give it a result"),
+    ],
+)
+def test_a_function_gives_as_many_results_everywhere(function, told):
+    """None is left out, and none is missed."""
+
+    def mine(a):
+        return function(np.asarray(a))
+
+    with pytest.raises(ValueError, match=rf"^quantity: mine {told}"):
+        sweep(mine, a=[0.0, 2.0], chunks=1)
+
+
 def test_unsigned_numbers_that_signed_ones_hold_are_kept():
     found = sweep(lambda x: np.asarray(x).astype(np.uint64 if np.size(x) > 1 else int), x=[1, 7])
     assert found["<lambda>"].to_numpy().tolist() == [1, 7]
@@ -282,6 +300,26 @@ print(found.is_stable.size)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pseudo terminals")
+def test_a_function_that_is_another_one_in_a_worker_process_is_refused(tmp_path):
+    """A worker imports the program anew: what is set later is not set there."""
+    program = tmp_path / "mine.py"
+    program.write_text(
+        "import sys\nfrom symhaptic import sweep\nGAIN, KNOWN = 2.0, {}\n"
+        "def mine(alpha):\n    KNOWN[len(KNOWN)] = alpha\n    return GAIN * alpha\n"
+        "if __name__ == '__main__':\n    GAIN = float(sys.argv[1])\n    try:\n"
+        "        found = sweep(mine, alpha=[0.0, 1.0], on='processes', workers=1, chunks=1)\n"
+        "        print(found.mine.values.tolist())\n"
+        "    except ValueError as wrong:\n        print(wrong)\n"
+    )
+
+    def told(gain):
+        command = [sys.executable, str(program), gain]
+        return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+    assert told("2.0") == "[0.0, 2.0]\n"
+    assert told("5.0").startswith("on: mine is another function in a worker process, which")
+
+
 def test_a_terminal_has_a_bar_of_errors_which_is_gone_at_the_end():
     """On standard error alone: what a program prints stays as it is."""
     import pty

@@ -87,8 +87,8 @@ def judged(
     else:
         write(replace, output, text)
     if version is not None and status == 0:
-        ours = {"statements": {id: one for id, one in found["statements"].items()
-                               if id in known["statements"]}}  # fmt: skip
+        ours = {part: {name: one for name, one in found[part].items() if name in known[part]}
+                for part in ("statements", "chapters")}  # fmt: skip
         for line in record.differences(ours, known):
             typer.echo(f"DIFFERS  {line}", err=as_json or output is not None)
             status = 1

@@ -93,6 +93,7 @@ def arrays(*values):
     xp = array_namespace(*given)
     kinds = [v.dtype for v in given if xp.isdtype(v.dtype, "real floating")]
     kind = xp.result_type(xp.float32, *kinds) if kinds else _default(xp)
+    kind = xp.float32 if kind == xp.float32 else xp.float64  # bounds and halves are of these two
     where = {} if is_lazy_array(given[0]) else {"device": device(given[0])}
     return xp, *(
         _real(xp, v, kind)
@@ -103,12 +104,15 @@ def arrays(*values):
 
 
 def _real(xp, v, kind):
-    """The array in this kind, NaN where its elements are complex, text or dates."""
+    """The array in this kind, NaN where its elements are complex, text, dates or masked."""
+    if isinstance(v, numpy.ma.MaskedArray):
+        return xp.where(numpy.ma.getmaskarray(v), math.nan, _real(xp, v.data, kind))
     if getattr(v.dtype, "kind", None) == "O":
         return xp.reshape(xp.asarray([_outside_or(x) for x in v.flat], dtype=kind), v.shape)
     if xp.isdtype(v.dtype, "complex floating") or getattr(v.dtype, "kind", None) in tuple("USMmV"):
         return xp.full_like(v, math.nan, dtype=kind)
-    return xp.astype(v, kind, copy=False)
+    with numpy.errstate(over="ignore"):  # of a longer float, which then is outside
+        return xp.astype(v, kind, copy=False)
 
 
 def _outside_or(v):
@@ -426,6 +430,13 @@ CROSSING = '''def crossing(xp, value, low, high, close, given):
     return select(xp, above <= 0.0, lambda low: low, (low,), beyond, (low, above, high, *given))
 '''.replace("MOST", str(MOST))
 
+UNFUSED = '''def unfused(xp, product):
+    """A product that a compiler does not join with a sum, as XLA does: it is rounded first."""
+    if deferred(product):
+        return xp.where(xp.abs(product) < math.inf, product, math.nan)
+    return product
+'''
+
 HALVES = '''def halves(xp, y):
     """A number as two of half its digits, whose products are exact.
 
@@ -435,7 +446,7 @@ HALVES = '''def halves(xp, y):
     if isinstance(y, numpy.ndarray) and y.dtype == xp.float64:
         high = (y.view(numpy.int64) & -(2**27)).view(numpy.float64)
     else:
-        big = (134217729.0 if y.dtype == xp.float64 else 4097.0)*y
+        big = unfused(xp, (134217729.0 if y.dtype == xp.float64 else 4097.0)*y)
         high = big - (big - y)
     return high, y - high
 '''

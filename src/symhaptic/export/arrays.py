@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 import textwrap
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from types import MappingProxyType
 
 import sympy as sp
@@ -26,6 +26,7 @@ from symhaptic.export.array_runtime import (
     SELFTEST,
     SERIES,
     STEPS,
+    UNFUSED,
 )
 from symhaptic.export.branches import (
     Assign,
@@ -39,7 +40,7 @@ from symhaptic.export.branches import (
     lazy,
     told,
 )
-from symhaptic.export.language import Printing, Target, called, describe
+from symhaptic.export.language import Printing, Target, bare, called, describe
 from symhaptic.export.library import known, named, precise
 from symhaptic.export.passes import hoisted
 from symhaptic.export.precision import DOUBLE, SINGLE, Precision
@@ -81,6 +82,18 @@ class ArrayPrinter(Printing):
     def _print_TwoProdError(self, expr: Expr) -> str:
         return self.scope.two_prod_error(*expr.args)
 
+    def _print_Mul(self, expr: Expr) -> str:
+        for sign, product in (("", expr), ("-", -expr)):
+            if key(product) in self.scope.missing:
+                plain = super()._print_Pow if product.is_Pow else super()._print_Mul
+                return f"{sign}unfused(xp, {bare(plain(product))})"
+        return str(super()._print_Mul(expr))
+
+    def _print_Pow(self, expr: Expr, rational: bool = False) -> str:
+        if key(expr) in self.scope.missing:
+            return self._print_Mul(expr)
+        return str(super()._print_Pow(expr, rational))
+
     def _part(self, condition: Boolean) -> str:
         """In brackets: of arrays `&` and `|` are done first."""
         return f"({self._print(condition)})"
@@ -109,15 +122,25 @@ Products = dict[object, Symbol]
 def products(block: Block) -> Products:
     """Those that have a name in a block."""
     return {
-        frozenset(s.expr.args) if s.expr.is_Mul else s.expr: s.name
+        key(s.expr): s.name
         for s in block
         if isinstance(s, Assign) and (s.expr.is_Mul or s.expr.is_Pow)
     }
 
 
+def key(product: Expr) -> object:
+    """What tells a product or a square from others."""
+    return frozenset(product.args) if product.is_Mul else product
+
+
+def key_of(one: Expr, two: Expr) -> object:
+    """The same, by its factors."""
+    return one**2 if one == two else frozenset((one, two))
+
+
 def product(known: Products, one: Expr, two: Expr) -> Symbol | None:
     """The name of a product, if it has one."""
-    return known.get(one**2 if one == two else frozenset((one, two)))
+    return known.get(key_of(one, two))
 
 
 def base(symbol: Symbol) -> str:
@@ -135,14 +158,14 @@ def alone_of_their_kind(block: Block) -> list[Symbol]:
 
 def factors(block: Block) -> Counter[Expr]:
     """How often each is a factor of a product of which something is missed."""
+    return Counter(factor for error in errors(block) for factor in error.args)
+
+
+def errors(block: Block) -> Iterator[Expr]:
+    """What is missed of products, as often as it is asked for."""
     shown = (expr for statement in block for expr in expressions(statement))
-    return Counter(
-        factor
-        for expr in shown
-        for part in sp.preorder_traversal(expr)
-        if isinstance(part, TwoProdError)
-        for factor in part.args
-    )
+    parts = (part for expr in shown for part in sp.preorder_traversal(expr))
+    return (part for part in parts if isinstance(part, TwoProdError))
 
 
 def last_uses(block: Block, known: Products, handed: Mapping[int, int]) -> dict[int, list[Symbol]]:
@@ -332,6 +355,8 @@ class Scope:
         self.factors = factors(block)
         """How often the halves of each are asked for."""
         self.products = products(block)
+        self.missing = {key_of(*error.args) for error in errors(block)}
+        """Products of which something is missed: each has to be rounded before it is added."""
         self.cases: dict[Expr, str] = {}
         """Conditions that have a name."""
         self.handed = handed_on(block)
@@ -556,7 +581,7 @@ class Scope:
         """What a product misses; the product itself may have a name."""
         name = product(self.products, one, two)
         factors = (self.printer.doprint(factor) for factor in (one, two))
-        shown = self.name(name) if name else "*".join(factors)
+        shown = self.name(name) if name else f"unfused(xp, {'*'.join(factors)})"
         return f"two_prod_error({shown}, {self.split[one]}, {self.split[two]})"
 
     def condition(self, condition: Expr) -> str:
@@ -618,7 +643,7 @@ class ArrayApi(Target):
         "while with yield match case xp np numpy selftest math operator sys array_namespace device "
         "is_array_api_obj is_lazy_array is_numpy_array is_torch_array arrays deferred elementwise "
         "functools select repeat over step is_jax_array by_value halves square_root two_prod_error "
-        "plant work inside limits guarded settled most yes no add series value crossing"
+        "unfused plant work inside limits guarded settled most yes no add series value crossing"
     )
     modules = reserved.PYTHON
     writes_both = True
@@ -642,7 +667,8 @@ class ArrayApi(Target):
             lines += [*SERIES.splitlines(), "", ""]
         for helper in map(_without_numbers, library.helpers):
             if helper.name == "TwoProdError":
-                lines += [*HALVES.splitlines(), "", "", *PRODUCT_ERROR.splitlines(), "", ""]
+                lines += [*UNFUSED.splitlines(), "", "", *HALVES.splitlines(), "", ""]
+                lines += [*PRODUCT_ERROR.splitlines(), "", ""]
                 continue
             brief = None
             if precise(helper.name):
@@ -754,8 +780,11 @@ class ArrayApi(Target):
         return f"{', '.join(names)} = {function}(xp, {args})"
 
     def notes(self, library: Library) -> list[str]:
-        """What must not be done to it."""
+        """What it makes of arrays, and what must not be done to it."""
         return [
+            "Arrays of float32 are computed in single precision, all others in double precision;",
+            "longer floats are rounded. Masked elements, and values that are not real numbers, are",
+            "outside every domain.",
             "Never compile it with fastmath=True (Numba) or a similar option, which assumes that",
             "there is no NaN.",
         ]

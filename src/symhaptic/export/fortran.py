@@ -41,7 +41,7 @@ class Fortran(Target):
         "intrinsic logical module namelist none nullify only open operator optional parameter "
         "pause pointer print private procedure program protected public pure read real recursive "
         "return rewind save select sequence stop submodule subroutine target then type use value "
-        "volatile where while write exp sin cos tan sqrt abs max min floor merge wp expm1 "
+        "volatile where while write exp sin cos tan sqrt abs max min floor merge wp expm1 fma "
         "selftest spread scale"
     )
     modules = reserved.FORTRAN
@@ -49,7 +49,7 @@ class Fortran(Target):
         "",
         Infinity="ieee_value(1.0_wp, ieee_positive_inf)",
         NaN="ieee_value(1.0_wp, ieee_quiet_nan)",
-        TwoProdError="two_prod_error({0}, {1})",
+        TwoProdError="fma({0}, {1}, -({1}*{0}))",  # the second may be a negative number
         floor="(aint({0}) - merge(1.0_wp, 0.0_wp, aint({0}) > {0}))",
     )
     single = operations
@@ -66,8 +66,7 @@ class Fortran(Target):
     def source(self, library: Library) -> dict[str, str]:
         """src/NAME.f90."""
         names = ", ".join(r.name for r in library.public)
-        double = self.precision is DOUBLE
-        c_name, c_kind = ("expm1", "c_double") if double else ("expm1f", "c_float")
+        end, c_kind = ("", "c_double") if self.precision is DOUBLE else ("f", "c_float")
         lines = [
             f"module {library.name}",
             f"  use, intrinsic :: iso_fortran_env, only: wp => {self.real}",
@@ -77,11 +76,8 @@ class Fortran(Target):
             *_folded(f"  public :: {names}"),
             "",
             "  interface",
-            f'    pure function expm1(x) bind(c, name="{c_name}") result(y)',
-            f"      use, intrinsic :: iso_c_binding, only: {c_kind}",
-            f"      real({c_kind}), intent(in), value :: x",
-            f"      real({c_kind}) :: y",
-            "    end function expm1",
+            *_of_c("expm1", "x", end, c_kind),
+            *_of_c("fma", "x, y, z", end, c_kind),
             "  end interface",
             "",
         ]
@@ -147,6 +143,11 @@ class Fortran(Target):
             "",
             "Never compile it with -ffast-math, -Ofast, -Mfprelaxed or -fp-model=fast (ifx's own;",
             "-fp-model=precise is right): they assume that there is no NaN, and reorder sums.",
+            "Never use -freal-8-real-10 or similar flags either, which change the kind of the",
+            "module's reals; -fdefault-real-8 does not. The self-test fails with gfortran's flags",
+            "of both kinds. If the processor has fused multiplication (ARM, -march=native), use",
+            "-ffp-contract=off to get the measured accuracy; in fpm, pass it with --flag.",
+            "With -ffpe-trap=invalid, a program stops if a result is NaN, -1 or undecided.",
             "For 32-bit x86, compile it with -msse2 -mfpmath=sse: the x87 unit rounds each step to",
             "more digits, and a wall that is not stable may then count as stable.",
         ]
@@ -196,6 +197,17 @@ class Fortran(Target):
             ["gfortran", *flags, "-o", "selftest", f"src/{name}.f90", "test/selftest.f90"],
             ["./selftest"],
         ]
+
+
+def _of_c(name: str, args: str, end: str, kind: str) -> list[str]:
+    """The interface of a function of the C library that Fortran 2008 lacks."""
+    return [
+        f'    pure function {name}({args}) bind(c, name="{name}{end}") result(value)',
+        f"      use, intrinsic :: iso_c_binding, only: {kind}",
+        f"      real({kind}), intent(in), value :: {args}",
+        f"      real({kind}) :: value",
+        f"    end function {name}",
+    ]
 
 
 def _assigned(block: Block) -> set[str]:

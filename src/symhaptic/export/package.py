@@ -20,7 +20,7 @@ STRICT = """#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defin
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "this file needs IEEE arithmetic: compile it without -ffast-math, -Ofast and /fp:fast"
 #endif
-#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
 #error "this file needs IEEE arithmetic: compile it with -mfpmath=sse or /arch:SSE2"
 #endif
 """

@@ -46,7 +46,7 @@
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "this file needs IEEE arithmetic: compile it without -ffast-math, -Ofast and /fp:fast"
 #endif
-#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
 #error "this file needs IEEE arithmetic: compile it with -mfpmath=sse or /arch:SSE2"
 #endif
 
@@ -1997,14 +1997,14 @@ static inline REAL turning(REAL phi, REAL l, REAL epsilon, REAL wave, REAL wave2
     REAL wave9, REAL wave10, REAL wave11, REAL wave12) {
     const REAL t = M(sin)(phi), t2 = l + R(1.0), t3 = M(cos)(phi), t4 = t3/t2, t5 = R(0.5)*t4, t6 =
         t - t5;
-    const REAL t7 = epsilon*(R(1.0) - epsilon), t8 = R(2.0)*l, t9 = R(2.0)*t4/(wave7*wave7);
-    const REAL base = t8 + R(2.0), t10 = (base*base)*t*wave10 - t9*wave3, t11 = t6*wave5;
-    const REAL t12 = R(1.0)/wave7, t13 = wave9*(t8 + R(1.0)), t14 = t12*t5, t15 = t13*t14;
-    const REAL t16 = epsilon*(t11 + t14*wave11*(t8 + R(3.0)) - t15 - t6*wave6), base2 = t8 + R(4.0);
-    const REAL base3 = t15 - t11 + t16;
-    return -R(2.0)*t6*t7*wave8*(t + t5) - (epsilon*((base2*base2)*t*wave12 - t10 - t9*wave4) + t10)*
-        (R(0.25)*t12*t13*t4 - R(0.5)*t11 + R(0.5)*t16 + R(0.5)*
-        M(sqrt)(base3*base3 + t7*(R(4.0)*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/(t2*t2))));
+    const REAL t7 = t6*wave5, t8 = R(2.0)*l, t9 = t5/wave7, t10 = t9*wave9*(t8 + R(1.0));
+    const REAL t11 = epsilon*(R(1.0) - epsilon), t12 = R(2.0)*t4/(wave7*wave7), base = t8 + R(2.0);
+    const REAL t13 = (base*base)*t*wave10 - t12*wave3;
+    const REAL mean = epsilon*(-t10 - t6*wave6 + t7 + t9*wave11*(t8 + R(3.0))) + t10 - t7;
+    const REAL base2 = t8 + R(4.0);
+    return -R(2.0)*t11*t6*wave8*(t + t5) - (R(0.5)*mean + R(0.5)*
+        M(sqrt)(mean*mean + t11*(R(4.0)*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/(t2*t2))))*
+        (epsilon*((base2*base2)*t*wave12 - t12*wave4 - t13) + t13);
 }
 
 // the wall whose worst angle is 2 psi, as an angle

@@ -82,6 +82,7 @@ def arrays(*values):
     xp = array_namespace(*given)
     kinds = [v.dtype for v in given if xp.isdtype(v.dtype, "real floating")]
     kind = xp.result_type(xp.float32, *kinds) if kinds else _default(xp)
+    kind = xp.float32 if kind == xp.float32 else xp.float64  # bounds and halves are of these two
     where = {} if is_lazy_array(given[0]) else {"device": device(given[0])}
     return xp, *(
         _real(xp, v, kind)
@@ -92,12 +93,15 @@ def arrays(*values):
 
 
 def _real(xp, v, kind):
-    """The array in this kind, NaN where its elements are complex, text or dates."""
+    """The array in this kind, NaN where its elements are complex, text, dates or masked."""
+    if isinstance(v, numpy.ma.MaskedArray):
+        return xp.where(numpy.ma.getmaskarray(v), math.nan, _real(xp, v.data, kind))
     if getattr(v.dtype, "kind", None) == "O":
         return xp.reshape(xp.asarray([_outside_or(x) for x in v.flat], dtype=kind), v.shape)
     if xp.isdtype(v.dtype, "complex floating") or getattr(v.dtype, "kind", None) in tuple("USMmV"):
         return xp.full_like(v, math.nan, dtype=kind)
-    return xp.astype(v, kind, copy=False)
+    with numpy.errstate(over="ignore"):  # of a longer float, which then is outside
+        return xp.astype(v, kind, copy=False)
 
 
 def _outside_or(v):
@@ -379,6 +383,13 @@ def one_minus(xp, x, x_low):
     return total, total_low - x_low
 
 
+def unfused(xp, product):
+    """A product that a compiler does not join with a sum, as XLA does: it is rounded first."""
+    if deferred(product):
+        return xp.where(xp.abs(product) < math.inf, product, math.nan)
+    return product
+
+
 def halves(xp, y):
     """A number as two of half its digits, whose products are exact.
 
@@ -388,7 +399,7 @@ def halves(xp, y):
     if isinstance(y, numpy.ndarray) and y.dtype == xp.float64:
         high = (y.view(numpy.int64) & -(2**27)).view(numpy.float64)
     else:
-        big = (134217729.0 if y.dtype == xp.float64 else 4097.0)*y
+        big = unfused(xp, (134217729.0 if y.dtype == xp.float64 else 4097.0)*y)
         high = big - (big - y)
     return high, y - high
 
@@ -409,7 +420,8 @@ def two_prod_error(product, one, two):
 
 def wide_prod(xp, x, y, y_low):
     """x y of a float and a pair"""
-    return x*y, x*y_low + two_prod_error(x*y, halves(xp, x), halves(xp, y))
+    return unfused(xp, x*y), x*y_low + two_prod_error(unfused(xp, x*y), halves(xp, x),
+        halves(xp, y))
 
 
 def pair_prod(xp, x, x_low, y, y_low):
@@ -431,8 +443,8 @@ def brief_fading(xp, rate, rate_low):
 def pair_quot(xp, x, x_low, y, y_low):
     """x/y of pairs"""
     total = x/y
-    left = x - total*y
-    left = left - two_prod_error(total*y, halves(xp, total), halves(xp, y))
+    left = x - unfused(xp, total*y)
+    left = left - two_prod_error(unfused(xp, total*y), halves(xp, total), halves(xp, y))
     rest = x_low - total*y_low
     left = left + rest
     return total, left/y
@@ -453,9 +465,9 @@ def fading_pair(xp, rate, rate_low):
 def root_miss(xp, square, square_low, root):
     """what the root of |square + square_low| misses"""
     sign_low = xp.where(square < 0.0, -square_low, square_low)
-    left = xp.abs(square) - (root*root)
+    left = xp.abs(square) - unfused(xp, root*root)
     root_halves = halves(xp, root)
-    left = left - two_prod_error(root*root, root_halves, root_halves)
+    left = left - two_prod_error(unfused(xp, root*root), root_halves, root_halves)
     left = left + sign_low
     whole = xp.where(root == 0.0, 1.0, root)
     return 0.5*left/whole
@@ -491,7 +503,7 @@ def two_diff(xp, x, y):
 
 def two_prod(xp, x, y):
     """x y and what it misses"""
-    return x*y, two_prod_error(x*y, halves(xp, x), halves(xp, y))
+    return unfused(xp, x*y), two_prod_error(unfused(xp, x*y), halves(xp, x), halves(xp, y))
 
 
 def device_motion(xp, gamma, delta):
@@ -1795,16 +1807,16 @@ def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together, apart, across)
     psi)
     """
     t = xp.tan(psi)
-    square = (t*t)
+    square = unfused(xp, t*t)
     t_halves = halves(xp, t)
     low = two_prod_error(square, t_halves, t_halves)
-    diff, diff_low = two_diff(xp, at_one, at_minus_one*square)
+    diff, diff_low = two_diff(xp, at_one, unfused(xp, at_minus_one*square))
     square_halves = halves(xp, square)
-    missed = at_minus_one*low + two_prod_error(at_minus_one*square, halves(xp, at_minus_one),
-        square_halves)
+    missed = at_minus_one*low + two_prod_error(unfused(xp, at_minus_one*square),
+        halves(xp, at_minus_one), square_halves)
     total, total_low = fast_two_sum(xp, diff, diff_low - missed)
-    diff, diff_low = two_diff(xp, together, apart*square)
-    missed = apart*low + two_prod_error(apart*square, halves(xp, apart), square_halves)
+    diff, diff_low = two_diff(xp, together, unfused(xp, apart*square))
+    missed = apart*low + two_prod_error(unfused(xp, apart*square), halves(xp, apart), square_halves)
     total2, total_low2 = fast_two_sum(xp, diff, diff_low - missed)
     above_j = 2.0*loss*t
     below_j = across*t
@@ -1852,23 +1864,23 @@ def next_wave_single(xp, k, x):
     """The same in single precision."""
     count = k + 1.0
     before = count - 1.0
-    angle = count*x
+    angle = unfused(xp, count*x)
     missed = k - before
     quarters = xp.floor(2.0*angle/3.141592653589793 + 0.5)
     quarters_halves = halves(xp, quarters)
-    diff, diff_low = two_diff(xp, angle - 1.5707963705062866*quarters,
-        two_prod_error(quarters*1.5707963705062866, quarters_halves,
+    diff, diff_low = two_diff(xp, angle - unfused(xp, 1.5707963705062866*quarters),
+        two_prod_error(unfused(xp, quarters*1.5707963705062866), quarters_halves,
         halves(xp, xp.full_like(quarters, 1.5707963705062866))))
-    diff, diff_low2 = two_diff(xp, diff, -4.371138828673793e-08*quarters)
+    diff, diff_low2 = two_diff(xp, diff, unfused(xp, -4.371138828673793e-08*quarters))
     x_halves = halves(xp, x)
     diff, diff_low3 = two_diff(xp, diff, -two_prod_error(angle, halves(xp, count), x_halves))
-    diff, diff_low4 = two_diff(xp, diff, -missed*x)
+    diff, diff_low4 = two_diff(xp, diff, -unfused(xp, missed*x))
     low = (
         diff_low + diff_low2 + diff_low3 + diff_low4 + 1.7151245100058819e-15*quarters -
-        two_prod_error(quarters*-4.371138828673793e-08, quarters_halves,
+        two_prod_error(unfused(xp, quarters*-4.371138828673793e-08), quarters_halves,
         halves(xp, xp.full_like(quarters, -4.371138828673793e-08)))
     )
-    low = low + two_prod_error(missed*x, halves(xp, missed), x_halves)
+    low = low + two_prod_error(unfused(xp, missed*x), halves(xp, missed), x_halves)
     wave = xp.sin(diff)
     still = xp.cos(diff)
     turn_ = quarters - 4.0*xp.floor(0.25*quarters)
@@ -1889,7 +1901,7 @@ def next_wave(xp, k, x):
         return next_wave_single(xp, k, x)
     count = k + 1.0
     before = count - 1.0
-    angle = count*x
+    angle = unfused(xp, count*x)
     missed = k - before
     off = missed*x + two_prod_error(angle, halves(xp, count), halves(xp, x))
     sine = xp.sin(angle)
@@ -2495,24 +2507,20 @@ def turning(xp, phi, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7,
     t4 = t3/t2
     t5 = 0.5*t4
     t6 = t - t5
-    t7 = epsilon*(1.0 - epsilon)
+    t7 = t6*wave5
     t8 = 2.0*l
-    t9 = 2.0*t4/(wave7*wave7)
+    t9 = t5/wave7
+    t10 = t9*wave9*(t8 + 1.0)
+    t11 = epsilon*(1.0 - epsilon)
+    t4 = 2.0*t4/(wave7*wave7)
     base = t8 + 2.0
-    t10 = (base*base)*t*wave10 - t9*wave3
-    t11 = t6*wave5
-    t12 = 1.0/wave7
-    t13 = wave9*(t8 + 1.0)
-    t14 = t12*t5
-    t15 = t13*t14
-    t14 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6)
+    t13 = (base*base)*t*wave10 - t4*wave3
+    mean = epsilon*(t7 - t10 - t6*wave6 + t9*wave11*(t8 + 3.0)) + t10 - t7
     base = t8 + 4.0
-    base3 = t15 - t11 + t14
     return (
-        -2.0*t6*t7*wave8*(t + t5) - (epsilon*((base*base)*t*wave12 - t10 - t9*wave4) + t10)*
-        (0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*
-        square_root(xp, base3*base3 + t7*(4.0*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/
-        (t2*t2))))
+        -2.0*t11*t6*wave8*(t + t5) - (0.5*mean + 0.5*
+        square_root(xp, mean*mean + t11*(4.0*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/
+        (t2*t2))))*(epsilon*((base*base)*t*wave12 - t4*wave4 - t13) + t13)
     )
 
 

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#define STAMP "364939c407a051e0"
+#define STAMP "74033439a6099cd0"
 
 extern "C" {
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,

@@ -44,6 +44,9 @@ class Known:
     balls: Mapping[sp.Symbol, arb]
     of: Sequence[sp.Symbol] = ()
 
+    def __post_init__(self) -> None:
+        _read_once(self, "balls")
+
     @property
     def meanings(self) -> Mapping[sp.Symbol, Expr]:
         """Each stands for itself."""
@@ -77,10 +80,7 @@ class Positive:
     may have cancelled in their difference."""
 
     def __post_init__(self) -> None:
-        # read once: a box of a class of its own may have other ends when it is read again
-        if isinstance(self.box, Mapping):
-            box = {s: tuple(e) if isinstance(e, Sequence) else e for s, e in self.box.items()}
-            object.__setattr__(self, "box", box)
+        _read_once(self, "box", "defined")
 
     @property
     def pieces(self) -> int:
@@ -100,6 +100,9 @@ class Zero:
     at: Mapping[Expr, Expr | acb | arb] = field(default_factory=dict)
     """Values of further symbols."""
 
+    def __post_init__(self) -> None:
+        _read_once(self, "between", "at")
+
 
 @dataclass(frozen=True)
 class Largest:
@@ -113,6 +116,23 @@ class Largest:
     where: Mapping[sp.Symbol, Expr]
     lower: Expr
     upper: Expr
+
+    def __post_init__(self) -> None:
+        _read_once(self, "where")
+
+
+def _read_once(certificate: object, *names: str) -> None:
+    """Copy what a certificate is given: of a class of one's own it may say something else later."""
+    for name in names:
+        part = getattr(certificate, name)
+        if isinstance(part, Mapping):
+            object.__setattr__(certificate, name, {s: _tuple(v) for s, v in part.items()})
+        else:
+            object.__setattr__(certificate, name, _tuple(part))
+
+
+def _tuple(part: object) -> object:
+    return tuple(part) if isinstance(part, Sequence) and not isinstance(part, str) else part
 
 
 Certificate: TypeAlias = Positive | Zero | Largest

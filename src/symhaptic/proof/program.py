@@ -43,7 +43,7 @@ def _tanh(x: Ball) -> Ball:
 
 
 def _cot(x: Ball) -> Ball:
-    return x.cot() if isinstance(x, acb) else x.cos() / x.sin()
+    return x.cot() if isinstance(x, acb) else x.cos() * x.sin() ** -1  # nan where / raises
 
 
 def _power(x: Ball, y: Ball) -> Ball:

@@ -6,9 +6,9 @@ That program is shared with the search; a test holds it against :func:`symhaptic
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import replace
-from numbers import Number
+from fractions import Fraction
 from typing import Any, TypeAlias
 
 import sympy as sp
@@ -17,8 +17,18 @@ from sympy import Expr
 
 from symhaptic.notation.terms import symbols_in
 from symhaptic.proof.ball import is_real
-from symhaptic.proof.certificate import Balls, Box, Certificate, Given, Largest, Positive, Zero
-from symhaptic.proof.program import Uncheckable, program, real, value
+from symhaptic.proof.certificate import (
+    Balls,
+    Box,
+    Certificate,
+    Given,
+    Known,
+    Largest,
+    Positive,
+    Zero,
+)
+from symhaptic.proof.plants import Named
+from symhaptic.proof.program import CALLS, Uncheckable, program, real, value
 from symhaptic.proof.rewriting import Undefined, Unsupported
 
 Interval: TypeAlias = tuple[arb, arb]
@@ -68,66 +78,100 @@ def recheck(certificate: Certificate) -> bool:
     >>> recheck(positive(x**2 - x + sp.Rational(1, 2), {x: (0, 1)}))
     True
     """
+    if type(certificate) not in _CHECKS:
+        raise TypeError(f"recheck: {certificate!r} is no certificate")
     try:
-        if type(certificate) in _MADE_OF and not _well_made(certificate):
-            return False
-        match certificate:
-            case Positive():
-                return _positive(certificate)
-            case Zero():
-                return _zero(certificate)
-            case Largest():
-                return _largest(certificate)
+        return _plain(certificate) and _CHECKS[type(certificate)](certificate)
     except _NOT_COMPUTED:
         return False
-    raise TypeError(f"recheck: {certificate!r} is no certificate")
 
 
-_MADE_OF: dict[type, Sequence[tuple[str, type]]] = {
-    Positive: (("expr", Expr), ("box", Mapping), ("cuts", str), ("defined", Sequence)),
-    Zero: (
-        *(("expr", Expr), ("variable", sp.Symbol), ("between", Sequence)),
-        *(("ball", arb), ("at", Mapping)),
-    ),
-    Largest: (
-        *(("expr", Expr), ("below", Positive), ("where", Mapping)),
-        *(("lower", Expr), ("upper", Expr)),
-    ),
-}
+_NUMBERS = (int, Fraction, arb, acb)
+
+_PARTS = frozenset({
+    *(sp.Symbol, sp.Dummy, sp.Add, sp.Mul, sp.Pow, *CALLS, sp.Integer, sp.Rational),
+    *map(type, (sp.S.Zero, sp.S.One, sp.S.NegativeOne, sp.S.Half, sp.pi, sp.E, sp.I)),
+})  # fmt: skip
+"""All that there is a program for; an object of a class of one's own may say of itself what it
+likes, and something else the next time."""
 
 
-def _well_made(claim: Any) -> bool:
-    """Whether it is made of what a certificate of its kind is made of."""
-    if not all(isinstance(getattr(claim, name), kind) for name, kind in _MADE_OF[type(claim)]):
-        return False
+def _plain(claim: Any) -> bool:
+    """Whether a certificate is made of formulas, numbers and symbols, and of no other classes."""
     match claim:
         case Positive():
-            pairs, others = [*claim.box.values()], []
-            if claim.given is not None and not _means_numbers(claim.given, claim.box):
-                return False
+            sides, given = claim.defined, claim.given
+            return (
+                type(claim.cuts) is str
+                and type(claim.bits) is int
+                and isinstance(sides, tuple)
+                and all(map(_formula, (claim.expr, *sides)))
+                and type(claim.box) is dict
+                and all(map(_symbol, claim.box))
+                and all(map(_pair, claim.box.values()))
+                and (given is None or _means_numbers(given, claim.box))
+            )
         case Zero():
-            pairs, others = [claim.between], [*claim.at.values()]
-        case _:
-            return _well_made(claim.below) and all(map(_is_number, claim.where.values()))
-    if not all(isinstance(pair, Sequence) and len(pair) == 2 for pair in pairs):
-        return False
-    return all(map(_is_number, (*others, *(end for pair in pairs for end in pair))))
+            return (
+                type(claim.ball) is arb
+                and type(claim.bits) is int
+                and _formula(claim.expr)
+                and _pair(claim.between)
+                and type(claim.at) is dict
+                and all(map(_symbol, (claim.variable, *claim.at)))
+                and all(map(_number, claim.at.values()))
+            )
+    return (
+        type(claim.below) is Positive
+        and _plain(claim.below)
+        and all(map(_formula, (claim.expr, claim.lower, claim.upper)))
+        and type(claim.where) is dict
+        and all(map(_symbol, claim.where))
+        and all(map(_number, claim.where.values()))
+    )
+
+
+def _formula(of: Any) -> bool:
+    left, seen = [of], set[int]()
+    while left:
+        part = left.pop()
+        if type(part) not in _PARTS:
+            return False
+        if id(part) not in seen:
+            seen.add(id(part))
+            left += part.args
+    return True
+
+
+def _number(of: Any) -> bool:
+    return type(of) in _NUMBERS or _formula(of)
+
+
+def _symbol(of: Any) -> bool:
+    return type(of) in (sp.Symbol, sp.Dummy)
+
+
+def _pair(of: Any) -> bool:
+    return type(of) is tuple and len(of) == 2 and all(map(_number, of))
 
 
 def _means_numbers(given: Any, box: Box) -> bool:
     """Whether symbols mean expressions in what has a ball on a box."""
-    meanings, balls = getattr(given, "meanings", None), getattr(given, "balls", {})
+    if type(given) is Known:
+        balls = given.balls
+        return (
+            type(balls) is dict
+            and all(map(_symbol, balls))
+            and all(type(ball) is arb for ball in balls.values())
+            and not given.of
+        )
     return (
-        isinstance(meanings, Mapping)
-        and all(isinstance(meaning, Expr) for meaning in meanings.values())
-        and all(isinstance(ball, arb) for ball in balls.values())
+        type(given) is Named
+        and type(given.meanings) is dict
+        and all(map(_symbol, given.meanings))
+        and all(map(_formula, given.meanings.values()))
         and set(given.of) <= set(box)
     )
-
-
-def _is_number(of: object) -> bool:
-    """Whether it may be the end of an interval, or a value: text is none."""
-    return isinstance(of, (Expr, Number, arb, acb))
 
 
 def _positive(claim: Positive) -> bool:
@@ -296,3 +340,8 @@ def _largest(claim: Largest) -> bool:
         reached = _on(claim.expr, below.box, _given(below.given))(point)
         lower = value(claim.lower)
         return bool(lower.imag.is_zero() and reached >= lower.real)
+
+
+_CHECKS: dict[type, Callable[[Any], bool]] = {
+    Positive: _positive, Zero: _zero, Largest: _largest,
+}  # fmt: skip

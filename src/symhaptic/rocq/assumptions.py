@@ -8,13 +8,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from symhaptic.book.foreign import EXCLUDED, EXTENSIONAL, INTEGERS, LIBRARY, REALS
 from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.rocq.chapter import BELIEVED, WRITTEN, File, slug
-from symhaptic.rocq.preludes import PRELUDES
 from symhaptic.rocq.steps import is_open
 
 _STANDARD = {
-    "ClassicalDedekindReals.": REALS,
-    "Classical_Prop.": EXCLUDED,
-    "FunctionalExtensionality.": EXTENSIONAL,
+    "ClassicalDedekindReals.sig_forall_dec": REALS,
+    "ClassicalDedekindReals.sig_not_dec": REALS,
+    "Classical_Prop.classic": EXCLUDED,
+    "FunctionalExtensionality.functional_extensionality_dep": EXTENSIONAL,
     "functional_extensionality_dep": EXTENSIONAL,
 }
 _PRIMITIVE = (
@@ -26,7 +26,6 @@ _PRIMITIVE = (
     "Uint63Axioms.",
     "FloatOps.",
 )
-_OURS = tuple(f"{path.stem}." for path in PRELUDES)
 
 
 def rule_of(name: str) -> str:
@@ -59,17 +58,23 @@ def resting(
 
 
 def axioms(said: str) -> set[str]:
-    """What ``Print Assumptions`` lists, with the library's under two names."""
-    return {_short(n) for n in re.findall(r"^([\w.']+)(?= :|$)", said, flags=re.M)}
+    """What ``Print Assumptions`` lists, with the library's under four names.
+
+    A line that names no axiom stands for itself: Rocq says there which of its checks were left out.
+
+    >>> sorted(axioms("Axioms:\nmine : False\nloop is assumed to be guarded.\n"))
+    ['loop is assumed to be guarded.', 'mine']
+    """
+    lines = (line for line in said.splitlines() if line.strip() and not line[0].isspace())
+    told = (line for line in lines if line not in _NO_AXIOM)
+    return {_short(re.sub(r"^([\w.']+)( :.*)?$", r"\1", line)) for line in told}
+
+
+_NO_AXIOM = ("Axioms:", "Closed under the global context")
 
 
 def _short(name: str) -> str:
-    for begin, known in _STANDARD.items():
-        if name.startswith(begin):
-            return known
-    if name.startswith(_OURS):  # as Rocq says it where a chapter takes all that uses it from others
-        return name.partition(".")[2]
-    return INTEGERS if name.startswith(_PRIMITIVE) else name
+    return INTEGERS if name.startswith(_PRIMITIVE) else _STANDARD.get(name, name)
 
 
 def told(file: File, rests: dict[str, list[str]]) -> dict[str, str]:

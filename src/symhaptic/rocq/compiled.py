@@ -6,6 +6,7 @@ fail become open leaves, and what then is accepted says what each statement rest
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
 import shutil
@@ -13,6 +14,7 @@ import subprocess
 import time
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 from uuid import uuid4
@@ -78,6 +80,15 @@ def version() -> str:
     """Of Rocq."""
     told = subprocess.run([coqc(), "--print-version"], capture_output=True, text=True, check=False)
     return told.stdout.split(" ")[0]
+
+
+@cache
+def reader() -> str:
+    """A mark of the compiler, and of the code that asks it and reads what it says."""
+    found = hashlib.sha256(version().encode())
+    for path in sorted(Path(__file__).parent.glob("*.py")):
+        found.update(path.read_bytes())
+    return found.hexdigest()[:16]
 
 
 def _compiled(folder: Path, name: str, seconds: int = SECONDS) -> subprocess.CompletedProcess[str]:
@@ -183,7 +194,7 @@ def begun(
         file = whole.leaves() if leaves else whole
         place.write_text(file.written(), encoding="utf-8")
 
-    if before.get("text") == of:  # its comments may be others
+    if before.get("text") == of and before["outcome"].get("by") == reader():
         opened(refused(before["outcome"]))
         return marked(Outcome(**{**before["outcome"], "kept": True}), chapter, of)
     failed = refused(recorded) if recorded and recorded["text"] == of else {}
@@ -203,6 +214,7 @@ def begun(
     seen.keep()
     said = unasked(whole) if leaves else dict.fromkeys(whole.statements, "not asked yet")
     outcome = marked(of_file(whole, chapter, said, leaves), chapter, of)
+    outcome.by = reader()
     outcome.seconds = round(time.perf_counter() - begin, 1)
     if leaves or not file.statements:
         return keep(outcome, folder)

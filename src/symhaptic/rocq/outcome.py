@@ -44,6 +44,8 @@ class Outcome:
     """Whether it was known from before."""
     text: str = ""
     """A mark of the text that was compiled, and of the prelude."""
+    by: str = ""
+    """A mark of the compiler, and of the code that reads what it says."""
     says: dict[str, str] = field(default_factory=dict)
     """Of each statement by theorems, a mark of what these say."""
 

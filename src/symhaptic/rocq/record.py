@@ -101,12 +101,19 @@ def text(found: Mapping[str, Any]) -> str:
 def differences(found: Mapping[str, Any], known: Mapping[str, Any]) -> list[str]:
     """Statements that Rocq has checked further, or not as far, or with more assumed, than recorded.
 
+    Before them stand chapters of which it was given another text, the library included.
+
     >>> whole = {"checked": "whole", "rests": ["excluded middle"]}
-    >>> found = {"statements": {"eq1": whole}}
-    >>> differences(found, {"statements": {"eq1": {**whole, "rests": []}}})
+    >>> found = {"statements": {"eq1": whole}, "chapters": {}}
+    >>> differences(found, {"statements": {"eq1": {**whole, "rests": []}}, "chapters": {}})
     ['eq1: rests on excluded middle, which the record does not name']
     """
-    lines = []
+    lines = [
+        f"{name}: its text, or the library that it imports, is not that of the record"
+        for name, one in found["chapters"].items()
+        for before in [known["chapters"].get(name, one)]
+        if one["text"] != before["text"] and one["leaves"] == before["leaves"]
+    ]
     for id, one in found["statements"].items():
         recorded = known["statements"].get(id, {})
         before = recorded.get("checked", "nothing")

@@ -30,9 +30,11 @@ def plan_of(
     reduce: str | Sequence[str],
     chunks: int | Mapping[str, int] | None,
     axes: Mapping[str, Any],
+    marked: bool = False,
 ) -> Plan:
     """What is computed, where, and in which blocks.
 
+    ``marked`` is whether a function of the user's own is compared with that of another process.
     Raises :class:`ValueError` for what is impossible.
     """
     import xarray
@@ -64,19 +66,29 @@ def plan_of(
         raise ValueError(f"over: {along!r} with reduce={reduced!r} is incomplete; "
                          "give both or neither")  # fmt: skip
     stay = {d: n for d, n in sizes.items() if d not in along}
+    before = _marks(work) if marked else ()
     first = {n: coords[n].values.reshape(-1)[0] for n in given}
     variables = tuple(
         _variable(i, result, work.statement, word, reduced, along)
         for i, result in enumerate(work.results or _results(work, first))
         for word in (reduced or ("",))
     )
+    functions = (*before, *_marks(work)) if before else ()
     kept = {n for n, c in coords.items() if not set(c.dims) & set(along)}
     for taken in {v.name for v in variables} & {*stay, *kept}:
         raise ValueError(f"{taken}: a result has the name of this dimension or coordinate; "
                          "rename the dimension or coordinate")  # fmt: skip
     lengths = lengths_of(stay, {d: sizes[d] for d in along}, _chunks(chunks, stay))
     dataset = xarray.Dataset(coords=coords)
-    return Plan(work, tuple(given), dataset, tuple(stay), along, variables, lengths)
+    return Plan(work, tuple(given), dataset, tuple(stay), along, variables, lengths, functions)
+
+
+def _marks(work: Work) -> tuple[str, ...]:
+    """The mark of a function of the user's own as it is now, if it has one."""
+    try:
+        return () if work.results else (work.body,)
+    except ValueError:
+        return ()
 
 
 def _agree(name: str, label: str, known: Any, coord: Any) -> None:
@@ -174,6 +186,8 @@ def _results(work: Work, first: Mapping[str, Any]) -> tuple[Result, ...]:
     """What a function of the user's own gives, by asking for the first point."""
     found = work.function(**first, **work.words)
     several = found if isinstance(found, tuple) else (found,)
+    if not several:
+        raise ValueError(f"quantity: {work.says} returns nothing; give it a result")
     names = getattr(found, "_fields", None) or [
         work.says if len(several) == 1 else f"{work.says}_{i}" for i in range(len(several))
     ]

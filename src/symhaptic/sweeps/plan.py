@@ -9,10 +9,13 @@ from __future__ import annotations
 
 import hashlib
 import itertools
+import json
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from threading import Lock
 from typing import TYPE_CHECKING, Any, NamedTuple
+from uuid import uuid4
 
 import numpy as np
 from numpy.typing import NDArray
@@ -79,6 +82,10 @@ class Piece:
     variables: tuple[Variable, ...]
     made: Mapping[str, str]
     """Versions that began the sweep, as :func:`maker` returns them."""
+    functions: tuple[str, ...]
+    """Marks of the function in the process that began the sweep: one of them is to be its mark."""
+    process: str
+    """That process."""
 
     def compute(self) -> list[NDArray[Any]]:
         """The block of every variable."""
@@ -91,6 +98,8 @@ class Piece:
                 f"workers: this one has {own}, and the sweep began with {first}; give all workers "
                 "the same, or the bits of their blocks may differ"
             )
+        if self.functions and self.process != _PROCESS:
+            _refuse_another(self.work, self.functions)
         kept = len(self.region)
         over = tuple(range(kept, len(self.shape)))
         found = [np.zeros(self.shape[:kept], _sum(v)) for v in self.variables]
@@ -100,6 +109,12 @@ class Piece:
                 for n, a in self.inputs.items()
             }
             values = self.work(**here)
+            count = 1 + max(v.source for v in self.variables)
+            if len(values) != count and not self.work.results:
+                raise ValueError(
+                    f"quantity: {self.work.says} gives {len(values)} results at some points, and "
+                    f"{count} at the first; give as many everywhere"
+                )
             size = tuple(s.stop - s.start for s in tile)
             begins = all(s.start == 0 for s in tile[kept:])
             for into, variable in zip(found, self.variables, strict=True):
@@ -110,6 +125,26 @@ class Piece:
             into / total if v.word == "mean" else into.astype(v.dtype, copy=False)
             for into, v in zip(found, self.variables, strict=True)
         ]
+
+
+_PROCESS = uuid4().hex
+"""This process; a forked one has its functions too."""
+
+_SAME = set[tuple[str, ...]]()
+"""Marks of functions that this process has as the one that began the sweep."""
+
+_ONE = Lock()
+
+
+def _refuse_another(work: Work, begun: tuple[str, ...]) -> None:
+    """Refuse a function that is another one here, before it is called for the first time."""
+    with _ONE:
+        if begun not in _SAME and work.body not in begun:
+            raise ValueError(
+                f"on: {work.says} is another function in a worker process, which imports it anew; "
+                "set what it uses in its module and not later, or give on='threads'"
+            )
+        _SAME.add(begun)
 
 
 def maker() -> dict[str, str]:
@@ -185,6 +220,8 @@ class Plan:
     variables: tuple[Variable, ...]
     lengths: tuple[int, ...]
     """Lengths of a block along the dimensions that stay."""
+    functions: tuple[str, ...] = ()
+    """Marks of a function of the user's own, before and after it is called for the first time."""
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -229,18 +266,19 @@ class Plan:
         dims = (*self.kept, *self.over)
         inputs = {n: part[n].variable.set_dims(dims).transpose(*dims).values for n in self.names}
         shape = tuple(part.sizes[d] for d in dims)
-        return Piece(index, region, self.work, inputs, shape, self.variables, maker())
+        of = (self.work, inputs, shape, self.variables, maker(), self.functions, _PROCESS)
+        return Piece(index, region, *of)
 
     def description(self) -> dict[str, Any]:
         """Everything that must be equal in two sweeps that share a store."""
         return {
             **maker(),
             "quantity": self.work.says,
-            "function": self.work.body,
+            "function": self.functions[0] if self.functions else self.work.body,
             "words": {n: str(v) for n, v in self.work.words.items()},
             "arm": repr(self.work.arm),
             "parts": repr(self.work.scene),
-            "variables": [v.name for v in self.variables],
+            "variables": [[v.name, v.source, v.word, str(v.dtype)] for v in self.variables],
             "inputs": {
                 name: [
                     list(self.coords[name].dims),
@@ -248,10 +286,16 @@ class Plan:
                 ]
                 for name in self.names
             },
-            "dimensions": {d: self.coords.sizes[d] for d in (*self.kept, *self.over)},
-            "over": list(self.over),
+            "dimensions": [[d, self.coords.sizes[d]] for d in self.kept],
+            "over": [[d, self.coords.sizes[d]] for d in self.over],
             "blocks": list(self.lengths),
         }
+
+    @property
+    def mark(self) -> str:
+        """Digest of the description."""
+        said = json.dumps(self.description(), sort_keys=True)
+        return hashlib.sha256(said.encode()).hexdigest()
 
     def empty(self) -> xarray.Dataset:
         """The result without its values: arrays of Dask that are all zero and take no memory."""

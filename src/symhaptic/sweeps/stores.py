@@ -28,7 +28,6 @@ from symhaptic.notation.quantities import shown
 from symhaptic.sweeps.plan import Piece, Plan
 
 if TYPE_CHECKING:
-    import xarray
     from numpy.typing import NDArray
 
 PLAN = "symhaptic_sweep"
@@ -41,18 +40,18 @@ _DONE = "blocks/done"
 """The array of Zarr with a mark for each block that is done."""
 
 _TAKEN = ("blocks", "zarr.json")
-"""Names that labels cannot have."""
+"""Names that labels and results cannot have."""
 
 
-def store(to: str | Path) -> Store:
-    """The store of a name: Zarr or Parquet, by its ending."""
+def store(to: str | Path, plan: Plan) -> Store:
+    """The store of a name, for a sweep: Zarr or Parquet, by its ending."""
     place = str(to).rstrip("/")
     if place.endswith(".zarr"):
         needed("symhaptic.sweep to a Zarr store", "zarr", extra="sweep")
-        return Zarr(place)
+        return Zarr(place, plan.mark)
     if place.endswith(".parquet") and "://" not in place:
         needed("symhaptic.sweep to Parquet files", "pyarrow", extra="sweep")
-        return Parquet(place)
+        return Parquet(place, plan.mark)
     raise ValueError(
         f"to: {place!r} is not allowed; give a name that ends in .zarr, or the name of a folder "
         "that ends in .parquet"
@@ -125,6 +124,8 @@ class Store:
     """A place for blocks."""
 
     place: str
+    mark: str
+    """Digest of the sweep, which its blocks are marked with."""
 
     ABOUT: ClassVar[str]
     """The file that describes the sweep."""
@@ -143,7 +144,7 @@ class Store:
                 return self._same(plan, text)
             if local:
                 raise ValueError(f"to: {self.place!r} exists and holds no sweep; give another name")
-        self._refuse_labels(plan.labels)
+        self._refuse_names(plan)
         if not local:
             return self._make(self.place, plan)
         with _beside(Path(self.place)) as draft:
@@ -197,16 +198,27 @@ class Store:
                         f"to: another process is writing to {self.place!r}; wait until it has "
                         "ended, or give another place"
                     ) from None
-            for draft in Path(self.place).rglob(self.DRAFTS):
+            for draft in filter(Path.is_file, Path(self.place).rglob(self.DRAFTS)):
                 draft.unlink(missing_ok=True)
             yield
+
+    def _checksum(self, index: tuple[int, ...], *values: NDArray[Any]) -> int:
+        """CRC-32 of the results of a block of this sweep, with a bit above it so that it is not 0.
+
+        All NaN count as the same number.
+        """
+        found = zlib.crc32(f"{self.mark} {index} {[v.dtype.str for v in values]}".encode())
+        for one in values:
+            same = np.where(np.isnan(one), np.nan, one) if one.dtype.kind == "f" else one
+            found = zlib.crc32(np.ascontiguousarray(same).tobytes(), found)
+        return 2**32 + found
 
     def _said(self) -> str | None:
         """The description of the sweep that is there."""
         raise NotImplementedError
 
-    def _refuse_labels(self, labels: xarray.Dataset) -> None:
-        """Refuse labels that would be lost or changed."""
+    def _refuse_names(self, plan: Plan) -> None:
+        """Refuse labels that would be lost or changed, and results without a name there."""
 
     def _make(self, place: str, plan: Plan) -> None:
         """Make the store without any block."""
@@ -275,11 +287,17 @@ class Zarr(Store):
         files = {name: zlib.crc32(_bytes(f"{place}/{name}")) for name in names}
         group.attrs[PLAN] = _sealed(self._describe(plan) | {"files": files})
 
-    def _refuse_labels(self, labels: xarray.Dataset) -> None:
+    def _refuse_names(self, plan: Plan) -> None:
         import xarray
         from zarr.storage import MemoryStore
 
-        for name, coord in labels.coords.items():
+        for result in plan.variables:
+            if result.name in _TAKEN or not result.name.strip(".") or "/" in result.name:
+                raise ValueError(
+                    f"quantity: a result has the name {result.name!r}, which is not allowed in "
+                    f"{self.place!r}; give it another name, or a place that ends in .parquet"
+                )
+        for name, coord in plan.labels.coords.items():
             tried = MemoryStore()
             try:
                 one = xarray.Dataset(coords={name: coord.variable})
@@ -315,7 +333,7 @@ class Zarr(Store):
         found = piece.compute()
         for variable, values in zip(piece.variables, found, strict=True):
             group[variable.name][piece.region] = values
-        done[piece.index] = [*map(_checksum, found)]
+        done[piece.index] = [self._checksum(piece.index, values) for values in found]
 
     def read(self, piece: Piece) -> list[NDArray[Any]]:
         """Read the chunks of a block and compare their checksums with the mark."""
@@ -324,7 +342,7 @@ class Zarr(Store):
             try:
                 group = self._group("r")
                 values = np.asarray(group[variable.name][piece.region])
-                same = group[_DONE][piece.index][i] == _checksum(values)
+                same = group[_DONE][piece.index][i] == self._checksum(piece.index, values)
             except _WRONG:
                 same = False
             if not same:
@@ -355,13 +373,6 @@ def _bytes(file: str) -> bytes:
             return found
     except OSError:
         return b""
-
-
-def _checksum(values: NDArray[Any]) -> int:
-    """CRC-32 with a bit above it, so that it is never 0; all NaN count as the same number."""
-    if values.dtype.kind == "f":
-        values = np.where(np.isnan(values), np.nan, values)
-    return 2**32 + zlib.crc32(np.ascontiguousarray(values).tobytes())
 
 
 class Parquet(Store):
@@ -409,23 +420,29 @@ class Parquet(Store):
             for name, value in columns.items()
         ]
         rows = [np.ravel(value) for value in columns.values()]
-        table = pyarrow.table(rows, schema=pyarrow.schema(fields))
+        checksum = {_SEAL: str(self._checksum(piece.index, *values))}
+        table = pyarrow.table(rows, schema=pyarrow.schema(fields, checksum))
         beside = whole.with_name(f"{_DRAFT}{uuid4()}")
         parquet.write_table(table, beside, write_page_checksum=True)
         os.replace(beside, whole)
 
     def read(self, piece: Piece) -> list[NDArray[Any]]:
-        """Read the columns of a block; Parquet compares its own checksums."""
+        """Read the columns of a block and compare its checksum."""
         from pyarrow import ArrowException, parquet
 
         names = [v.name for v in piece.variables]
         file = Path(self.place) / _file(piece.index)
         shape = piece.shape[: len(piece.region)]
         try:
-            table = parquet.read_table(file, columns=names, page_checksum_verification=True)
-            return [table[name].to_numpy().reshape(shape) for name in names]
+            with parquet.ParquetFile(file, page_checksum_verification=True) as opened:
+                table = opened.read(names)
+            found = [table[name].to_numpy().reshape(shape) for name in names]
+            known = (table.schema.metadata or {}).get(_SEAL.encode())
+            if known != str(self._checksum(piece.index, *found)).encode():
+                raise ValueError("another block")
         except (OSError, ArrowException, KeyError, ValueError):
             raise _bad_block(str(file), "it") from None
+        return found
 
 
 def _file(index: tuple[int, ...]) -> str:

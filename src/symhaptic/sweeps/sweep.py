@@ -44,7 +44,8 @@ def sweep(
     ----------
     quantity : str or callable
         A public function of arrays or its name, such as ``"is_stable"``, or a function of your own,
-        which takes arrays by name; processes must be able to import it.
+        which takes arrays by name and computes each point by itself: it is given a part of the
+        points at a time.  Processes must be able to import it.
     scene : Scene, optional
         With a scene, axes and results are in SI units, and the scene provides the values that no
         axis gives.  For stability, the scene's arm is added to the device, (2); for passivity, it
@@ -100,14 +101,14 @@ def sweep(
     needed("symhaptic.sweep", "dask", "xarray", extra="sweep")
     if getattr(quantity, "__name__", quantity) == "passivity_boundary":
         axes = with_new_names(axes, {"omega": "theta"})
-    plan = plan_of(quantity, scene, over, reduce, chunks, axes)
+    plan = plan_of(quantity, scene, over, reduce, chunks, axes, to is not None or on != "threads")
     total = int(np.prod(plan.grid))
     if to is not None:
         if lazy:
             raise ValueError(
                 f"lazy: {lazy!r} and to={shown(to)} exclude each other; give one of them"
             )
-        place = store(to)
+        place = store(to, plan)
         place.begin(plan)
         if next(place.missing(plan), None) is not None:
             with place.alone(), executor(on, workers) as pool:

@@ -16,7 +16,7 @@ from symhaptic.forms.entire import CosNext, Sinc, SinNext
 from symhaptic.forms.implicit import MAX_STIFFNESS_SPRING
 from symhaptic.forms.root_count import FractionalRoots, Stable, WholeRoots
 from symhaptic.forms.stability_forms import curve
-from symhaptic.notation import l
+from symhaptic.notation import l, w
 
 MOST = 120
 """At most so many steps; some ten are usual, and halving alone would need sixty."""
@@ -259,14 +259,19 @@ def largest_whole_required_damping(alpha, beta, d):
 
 @cache
 def _turning():
-    """The slope of the need of a wall of the size 1, made of waves that are the same for all."""
-    steep = required_damping.between(
-        required_damping.steepness(l), required_damping.steepness(l + 1)
+    """What straight motions need of a wall of the size 1, and the slope of what all need of it.
+
+    Both are made of waves that are the same for all walls; in the slope w is the former.
+    """
+    straight, steep = (
+        required_damping.between(of(l), of(l + 1))
+        for of in (required_damping.straight, required_damping.steepness)
     )
-    rises = required_damping.rising(required_damping.required(), steep)
-    waves = sorted(rises.atoms(sp.Function), key=sp.default_sort_key)
+    rises = required_damping.rising(required_damping.required(w), steep)
+    waves = sorted((straight + rises).atoms(sp.Function), key=sp.default_sort_key)
     named = {wave: Symbol(f"wave{i}" if i > 1 else "wave") for i, wave in enumerate(waves, 1)}
-    return named, rises.xreplace(named).xreplace(required_damping.of_size_one())
+    one = required_damping.of_size_one()
+    return named, [e.xreplace(named).xreplace(one) for e in (straight, rises)]
 
 
 @routine()
@@ -274,7 +279,8 @@ def turning(phi, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7, wav
             wave11, wave12):  # fmt: skip
     """has the sign of minus the slope of what the wall phi needs"""
     # it falls where the wall is worst at a smaller angle
-    return -do.common(_turning()[1])[0]
+    straight, rises = do.common(*_turning()[1])
+    return -rises.xreplace({w: do("mean", straight)})  # one number: its root is no smaller
 
 
 @routine()
