@@ -50,7 +50,7 @@ def derive(page):
         "A filtered wall is passive if and only if its stiffness is not negative and the device "
         "dissipates enough at each angle",
         by_angle(),
-        because="the impulse response of the filter decays, so that the energy of a motion is an "
+        because="the impulse response of the filter decays, so the energy of a motion is an "
         "integral over its spectrum, as for a wall without a filter",
     )
     slow, fast = b - SLOW.left, b - FAST.left

@@ -84,7 +84,7 @@ def _alone(page):
         example=STILL,
         unless={none[0]: (stiff, gives_energy(stiff)), none[1]: (damped, gives_energy(damped))},
         shows=r"for $b=\tfrac12$, $T=1$ the virtual mass $m_v=\tfrac14$ requires all of the "
-        "damping, so that none remains for a spring",
+        "damping, so none remains for a spring",
         note="the bound is exact for a virtual mass alone; a spring and a damper require "
         "additional damping",
     )

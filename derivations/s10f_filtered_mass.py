@@ -64,7 +64,7 @@ def _tangent(page, printed):
         "On the line $K=2B/T$ the last bound is violated by a multiple of $B^2$",
         (left - right).subs(K, 2 * B / T),
         4 * B**2 * (T + tau_f) * (T + 2 * tau_f) / T**2,
-        because="the excess is of second order, so that this line is the tangent at the origin for "
+        because="the excess is of second order, so this line is the tangent at the origin for "
         "every filter; the filter affects only the curvature of the boundary",
     )
     page.lemma(
@@ -74,8 +74,8 @@ def _tangent(page, printed):
     page.say(
         "This line is also the tangent without the filter. For slow motions the delay of the "
         "spring is decisive, and the spring is not filtered. The delay of the damper has only a "
-        "second-order effect. A delay of the complete wall is different: its tangent is "
-        r"$K=B/(\frac12T+t_d)$."
+        "second-order effect. If the forces of spring and damper are both delayed by $t_d$, the "
+        r"tangent changes to $K=B/(\frac12T+t_d)$."
     )
 
 
@@ -97,7 +97,7 @@ def _delay(page, printed, soft):
         unless={LITTLE: (strong, escapes(LOW_PASS, strong))},
         shows=r"for $m=T=\tau_f=B=1$ the rule allows $K<\tfrac23$, but $K=\tfrac12$ is unstable",
         note=r"at the origin the rule is too strict by the factor $1+2\tau_f/T$. The rule allows "
-        r"unstable walls from $B=2m\tau_f/(T(T+4\tau_f))$ on, and for every $B$ if $\tau_f=0$",
+        r"unstable walls if $B>2m\tau_f/(T(T+4\tau_f))$, and for every $B$ if $\tau_f=0$",
     )
 
 

@@ -55,7 +55,7 @@ def _damper(page):
         shows="the coupling $K=2$, $B=T=b=1$ satisfies the condition of the record and delivers "
         "energy; it requires $b=2$",
         note="the damper that has to exceed $KT/2$ is that of the device. The virtual damper "
-        "requires additional damping, so that a larger $B$ leaves less margin for the coupling",
+        "requires additional damping, so a larger $B$ leaves less margin for the coupling",
     )
 
 
@@ -140,7 +140,7 @@ def _numbers(page):
         "only for $b$ of about $10^{-4}$ Ns/m or less",
     )
     page.say(
-        "According to the record the device has a mass of 0.4 to 0.5 kg, so that 2.4 kg is 4.8 to "
+        "According to the record the device has a mass of 0.4 to 0.5 kg, so 2.4 kg is 4.8 to "
         "6 times as much. The factor of twelve in the record is the ratio to 0.2 kg, half of the "
         "smaller mass."
     )

@@ -15,7 +15,7 @@ def derive(page):
     page.say(
         "A firm grip couples device and arm rigidly. They have the same position, and the force "
         "between them acts on them with opposite signs. This force cancels in the sum of the "
-        "two equations of motion, so that masses, dampings and stiffnesses add up."
+        "two equations of motion, so masses, dampings and stiffnesses add up."
     )
     both = page.step(
         "Two bodies with the same position act as one mass, one damper and one spring",

@@ -16,7 +16,7 @@ def derive(page):
         "The wall force from the last two samples",
         "H(z)",
         law,
-        because="the factor $1/z$ is a shift to the previous period, so that $x_k-x_{k-1}$ becomes "
+        because="the factor $1/z$ is a shift to the previous period, so $x_k-x_{k-1}$ becomes "
         r"$(1-1/z)\,x$",
     )
     form = page.step(

@@ -17,7 +17,7 @@ from symhaptic.proof.theorems.energy import toeplitz
 def derive(page):
     H = function("H")
     page.say(
-        "The wall force is constant over a period, so that its work $F_kp_k$ depends on the "
+        "The wall force is constant over a period, so its work $F_kp_k$ depends on the "
         "displacement $p_k$ only. The damper dissipates the integral of $bv^2$. For a given "
         "displacement this integral is smallest at constant speed:"
     )
@@ -29,7 +29,7 @@ def derive(page):
         "of the square vanishes only at constant speed",
     )
     page.say(
-        "A motion that ends at rest returns the kinetic energy, so that the mass does not matter. "
+        "A motion that ends at rest returns the kinetic energy, so the mass does not matter. "
         "If $p$ is the spectrum of the displacements, the position has the spectrum $x=p/(z-1)$. "
         "The sum over all periods gives the energy that damper and wall receive per squared "
         r"displacement, $b/T+\Re\{H/(z-1)\}$."
@@ -72,12 +72,12 @@ def derive(page):
         ramp,
         (4 * b / T + 6 * K) * p_k**2,
         name="E",
-        because="the position is $x_k=kp_k$, so that the spring receives $K(0+1+2+3)p_k^2$",
+        because="the position is $x_k=kp_k$, so the spring receives $K(0+1+2+3)p_k^2$",
     )
     page.say(
         r"For $H(1)<0$ the stored energy $\tfrac12H(1)x_N^2$ is negative, and its magnitude grows "
         "with the square of the distance. The dissipated energy grows only in proportion to the "
-        r"distance. No inequality at $\theta>0$ excludes such walls, so that $H(1)\ge0$ is "
+        r"distance. No inequality at $\theta>0$ excludes such walls, so $H(1)\ge0$ is "
         "necessary as well. Both conditions together are sufficient. (At equality no motion gains "
         "energy either: the strict sign is slightly stronger than passivity.)"
     )
@@ -118,7 +118,7 @@ def _settle(page, condition):
         unless={PUSHES: (pulled, holds(given[-1], pulled, *pulls), gives_energy())},
         note="the verdict covers walls with three coefficients, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$ with "
         "an integer $d$. The wall (1) is one of them; other $H$ are not decided. At equality no "
-        "motion gains energy either, so that (4) is sufficient, and necessary except for equality",
+        "motion gains energy either, so (4) is sufficient, and necessary except for equality",
         shows="a wall with three coefficients, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$, may have $H(1)<0$: "
         "$H=-(1+1/z+1/z^2)$ satisfies (4) for every damper, and delivers energy",
     )

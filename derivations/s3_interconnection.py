@@ -31,7 +31,7 @@ def derive(page):
         "Two coupled systems receive energy only from outside",
         (F - pushed) * v + pushed * v,
         F * v,
-        because="the force $F_2$ cancels in the sum, so that the two systems together store at "
+        because="the force $F_2$ cancels in the sum, so the two systems together store at "
         "most the integral of $Fv$: the connection is passive",
     )
     page.same("parallel and feedback", face, (F - pushed) * v + pushed * v)
@@ -46,14 +46,14 @@ def derive(page):
         real_part(lag),
         1 / (1 + omega**2),
         name=r"\Re\frac{1}{1+j\omega}",
-        because="the real part is positive, so that the lag is passive",
+        because="the real part is positive, so the lag is passive",
     )
     page.step(
         "Two lags in a chain are not passive",
         real_part(lag**2),
         (1 - omega**2) / (1 + omega**2) ** 2,
         name=r"\Re\frac{1}{(1+j\omega)^2}",
-        because=r"the real part is negative for $\omega>1$, so that the chain is not passive",
+        because=r"the real part is negative for $\omega>1$, so the chain is not passive",
     )
     page.step(
         "A loop of three lags with a gain of 27 is unstable",

@@ -19,7 +19,7 @@ def derive(page):
         K * (x + p_k) ** 2 / 2 - K * x**2 / 2,
         K * x * p_k + K * p_k**2 / 2,
         name=r"U(x+p)-U(x)",
-        because=r"the slope $K$ is the steepest, so that in general $f(x)\,p\ge "
+        because=r"the slope $K$ is the steepest, so in general $f(x)\,p\ge "
         r"U(x+p)-U(x)-\tfrac12Kp^2$",
     )
     q = symbols("q")
@@ -27,7 +27,7 @@ def derive(page):
         "A product of two steps is at most half the sum of their squares",
         (p_k**2 + q**2) / 2,
         p_k * q + (p_k - q) ** 2 / 2,
-        because=r"the last square is not negative, so that $|p_kq|\le\tfrac12(p_k^2+q^2)$ for "
+        because=r"the last square is not negative, so $|p_kq|\le\tfrac12(p_k^2+q^2)$ for "
         "every step $q$ within the delay",
     )
     page.say(

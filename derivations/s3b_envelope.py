@@ -87,6 +87,6 @@ def _scaled(page):
         corrected=(r"K\propto b/T", r"B\propto b"),
         example=stiff,
         unless=[(stiff, broken)],
-        shows="three times the period leaves a third of the stiffness",
+        shows="with three times the period, the stiffness is a third",
         note=r"the statement holds at each angle $\omega T$",
     )

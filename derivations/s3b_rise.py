@@ -49,7 +49,7 @@ def derive(page):
         because=r"the slope has the sign of $\cos N\psi$",
     )
     page.lemma("Up to $N\\psi=\\pi/2$ a larger angle has the larger stiffness", rises(LOWER))
-    page.lemma("From $N\\psi=\\pi/2$ on a larger angle has the smaller stiffness", rises(UPPER))
+    page.lemma(r"Beyond $N\psi=\pi/2$ a larger angle has the smaller stiffness", rises(UPPER))
     page.step(
         "For a given stiffness, the condition is strictest at the angle with $U=u$",
         diff((u * cot(psi) * sin(N * psi) - 1) / cos(N * psi), psi),
@@ -62,7 +62,7 @@ def derive(page):
     )
     page.lemma("The tip of the envelope has no negative margin at any angle", tip())
     page.lemma(
-        "No wall of the envelope has a negative margin at any angle",
+        "No wall on the envelope has a negative margin at any angle",
         touches(),
         because="for angles on the same side of the tip, this follows from the order of the "
         "bounds of $w$ at a given stiffness; for angles on the other side, from the "
@@ -106,13 +106,13 @@ def _boundary(page):
         "of (7). Here $u$ is $KT/2$ and $w$ is $B+KT/2$: they are not divided by $b$",
     )
     page.lemma(
-        "A wall of the boundary requires the same damping as the wall of (7) on its ray",
+        "A wall on the boundary requires the same damping as the wall of (7) on its ray",
         needed_there(),
         because="with this damping the boundary wall is passive, and at the angle of the wall "
         "of (7) it requires at least this damping",
     )
     above = page.lemma(
-        "Above the corner each wall of the boundary satisfies (7)",
+        "Above the corner each wall on the boundary satisfies (7)",
         upper_boundary(others.of[1]),
         because="two walls on the same ray that require the same damping are equal; for $K=0$ "
         "the wall is $(0,b)$",
@@ -174,7 +174,7 @@ def _extent(page):
         margin.subs(psi, pi / N),
         1 - w,
         name=r"1-b_{\min}/b",
-        because=r"a passive wall has no negative margin, so that $w\le1$",
+        because=r"a passive wall has no negative margin, so $w\le1$",
     )
     page.limit(
         r"For $\psi\to0$ the margin has a linear limit",
@@ -183,7 +183,7 @@ def _extent(page):
         S.Zero,
         1 + w - N * u,
         name=r"\bigl(1-b_{\min}/b\bigr)",
-        because=r"a passive wall has no negative margin, so that $w\ge Nu-1\ge-1$",
+        because=r"a passive wall has no negative margin, so $w\ge Nu-1\ge-1$",
     )
     page.step(
         r"If $N\psi$ and $N\varphi$ differ by $2\pi$, the margins differ only in a cotangent",
@@ -193,7 +193,7 @@ def _extent(page):
     )
     page.say(
         r"Now let $N\psi>\pi$. If $\sin N\psi\ge0$, subtract a multiple of $2\pi$ from $N\psi$. "
-        "The smaller angle has the same sine and cosine but a larger cotangent, so that the "
+        "The smaller angle has the same sine and cosine but a larger cotangent, so the "
         r"condition is stricter there, because $u\ge0$. If $\sin N\psi<0$, the margin is at "
         r"least $1-|w|\ge0$, because $-1\le w\le1$. So only $0<N\psi\le\pi$ matters, that is, "
         r"$0<\omega T\le\pi/(d+1)$."

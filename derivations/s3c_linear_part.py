@@ -69,7 +69,7 @@ def _line(page, *derived):
         "them has a negative margin at any angle",
     )
     page.lemma(
-        "A wall of the boundary with at most the damping of the end of (8) lies on the line (8)",
+        "A wall on the boundary with at most the damping of the end of (8) lies on the line (8)",
         on_the_line(),
         because="a passive wall off the line has a positive margin at every angle, and would be "
         "passive with less damping of the device",

@@ -64,8 +64,8 @@ def derive(page):
     )
     _stiffest(page, Eq(K, stiffness), Eq(B, damping))
     page.say(
-        "Without delay the largest stiffness is $2b/T$. With a delay, a share of this stiffness "
-        "remains:"
+        "Without delay the largest stiffness is $2b/T$. With a delay, a fraction of this "
+        "stiffness remains:"
     )
     share = stiffness / stiffness.subs(d, 0)
     one = page.step(
@@ -111,7 +111,7 @@ def _stiffest(page, *derived):
         bound(),
         because=r"by \chapter{s3a_passivity_condition} the margin of a passive wall is not "
         r"negative at $\theta=\pi/(2(d+1))$. At this angle $\cos(d+1)\theta=0$ and "
-        r"$\sin(d+\frac12)\theta=\cos\frac\theta2$, so that $b\ge\frac12KT\cot\frac\theta2$",
+        r"$\sin(d+\frac12)\theta=\cos\frac\theta2$, so $b\ge\frac12KT\cot\frac\theta2$",
     )
     _, given, then = taken_apart(CLAIMED["eq11"](PRINTED))
     found = page.lemma(

@@ -100,7 +100,7 @@ def fractions(page):
         S.Zero,
         -epsilon * (1 - epsilon) * (K * T) ** 2 / 4,
         name="D",
-        because="the limit is negative, so that no wall with $K>0$ on this line is passive",
+        because="the limit is negative, so no wall with $K>0$ on this line is passive",
     )
 
 

@@ -40,7 +40,7 @@ def derive(page):
         integrate(free.transition(1 - t)[0, 1] * t, (t, 0, 1)),
         Rational(1, 6),
         name="x_1",
-        because="the sampled model uses the force $F_0=0$, so that the mass would not move",
+        because="the sampled model uses the force $F_0=0$, so the mass would not move",
     )
     page.step(
         "With a fractional delay a held force already moves the mass within the first period",

@@ -14,7 +14,7 @@ from symhaptic.model.plant import sampled
 
 def derive(page):
     page.say(
-        "We measure time in periods, so that $s$ becomes $s/T$, and force per length in units of "
+        "We measure time in periods, so $s$ becomes $s/T$, and force per length in units of "
         "$m/T^2$. Newton's law and the wall then become:"
     )
     motion = page.step(

@@ -50,8 +50,8 @@ def derive(page):
     page.same("pure numbers", chosen * powers, zeros(len(rules), len(units)))
     page.same("independent", Integer(chosen.rank()), left)
     page.say(
-        "The product of the two tables is zero, so that all five numbers are dimensionless. The "
-        "rank of the second table is five, so that none of the numbers follows from the others. "
+        "The product of the two tables is zero, so all five numbers are dimensionless. The "
+        "rank of the second table is five, so none of the numbers follows from the others. "
         "So the loop depends on these five numbers, and mass and period are only units."
     )
     _settle(page)

@@ -98,7 +98,7 @@ def converted(page):
     force = POUND * GRAVITY / INCH
     page.say(
         "The first row is a mass of 1 kg with a natural frequency of 1 Hz and critical damping: "
-        r"$k_H=4\pi^2$, $b_H=4\pi$. By its footnote it describes arm and device together, so that "
+        r"$k_H=4\pi^2$, $b_H=4\pi$. By its footnote it describes arm and device together, so "
         "its mass is not $m_H$. The values of Lawrence are 0.1, 1 and 1 in units of pounds of "
         "force, inches and seconds, with 1 lb $=$ 0.45359237 kg, 1 in $=$ 0.0254 m and $g=$ "
         "9.80665 m/s$^2$."

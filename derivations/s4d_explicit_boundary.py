@@ -1,7 +1,7 @@
 r"""Is there an explicit stability boundary with delay and stiffness?
 
 The paper computes the boundary of the stable region on a grid, since the usual inequalities grow
-with the delay. But the characteristic polynomial is affine in $\alpha$ and $\beta$, so that one
+with the delay. But the characteristic polynomial is affine in $\alpha$ and $\beta$, so one
 complex equation on the unit circle determines them.
 """
 

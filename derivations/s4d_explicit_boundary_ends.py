@@ -30,7 +30,7 @@ def start(page):
         because=r"the equality follows from $P(1)=1/\gamma$ and eliminates $a$",
     )
     page.say("Three abbreviations for the device keep the formulas short:")
-    page.define(r"The second coefficient has the share $\nu$ of the numerator's sum", nu, NU)
+    page.define(r"The second coefficient is the fraction $\nu$ of the numerator's sum", nu, NU)
     page.define("The number $s_1$ is the low-frequency damping of the device", s_1, FIRST)
     page.define(
         "The number $s_2$ is the low-frequency mass of the device", s_2, 1 / TOTAL - (1 - nu) * s_1

@@ -30,7 +30,7 @@ def derive(page):
     )
     page.same("the curve as a graph", top / size, CURVE.subs(beta, side / size))
     page.say(
-        r"Jury's minor is linear in $\alpha$, so that it vanishes at one stiffness for each "
+        r"Jury's minor is linear in $\alpha$, so it vanishes at one stiffness for each "
         "virtual damping."
     )
     curve = page.lemma(

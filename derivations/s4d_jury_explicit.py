@@ -1,7 +1,7 @@
 r"""Which walls are stable without delay?
 
 Gil et al. solved Jury's inequalities for $d=0$ without a spring. There are four inequalities. The
-last one is linear in $\alpha$, so that it can be solved for the stiffness with any spring. Without
+last one is linear in $\alpha$, so it can be solved for the stiffness with any spring. Without
 a spring one formula is sufficient for some devices, and we show for which.
 """
 
@@ -64,7 +64,7 @@ def derive(page):
         "Without spring and delay, the minor and two bounds decide stability if "
         r"$\delta\le\frac13$",
         stable_damped_mass(),
-        because=r"a stable wall has $1+n_1\beta>0$ and $n_0\beta<1$, so that the minor is not "
+        because=r"a stable wall has $1+n_1\beta>0$ and $n_0\beta<1$, so the minor is not "
         r"positive for $\beta\le-\delta$; the remaining half planes follow from these three "
         "inequalities",
         boxed=True,

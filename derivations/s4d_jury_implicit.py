@@ -119,7 +119,7 @@ def half_plane(push, brake, last):
 def two_roads(page):
     device = Sampled(n_1, n_0, a, e)
     page.say(
-        r"The degree in $\alpha$ rises by one with every period, so that a formula for the "
+        r"The degree in $\alpha$ rises by one with every period, so a formula for the "
         "solution does not exist in general for longer delays. But the boundary with the angle as "
         r"parameter stays explicit. We insert the wall with a root at $e^{j\theta}$ into the last "
         "minor, for any device and $d=0,1,2$:"

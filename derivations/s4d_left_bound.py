@@ -64,7 +64,7 @@ def derive(page):
         -2 * delta * v**2,
         name=r"\tfrac{d}{dt}(v^2+\gamma x^2)",
         because="the derivative of $v$ is given by Newton's law. The motion starts with $x=0$ "
-        r"and $v=1$ and loses energy, so that $|r|<1$, except for $\delta=0$ and "
+        r"and $v=1$ and loses energy, so $|r|<1$, except for $\delta=0$ and "
         r"$\varphi=\pi,2\pi,\ldots$",
     )
     page.step(
@@ -73,7 +73,7 @@ def derive(page):
         1 - r,
         name=r"p_1'(1)",
         because=r"the derivatives $p_1'(1)$ and $\partial p_1/\partial\alpha=n_1+n_0$ are "
-        r"positive, so that the root moves inside as $\alpha$ grows",
+        r"positive, so the root moves inside as $\alpha$ grows",
     )
     free = loop.characteristic(Parts(False, False)).subs({d: 0, alpha: 0})
     page.step(

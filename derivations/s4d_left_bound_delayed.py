@@ -21,7 +21,7 @@ def derive(page):
     soft_spring(page)
     page.say(
         r"Take a spring that is far stiffer than an arm, without damping: $\sqrt\gamma=2\pi/3$, "
-        r"so that $\cos\sqrt\gamma=-\tfrac12$. On the line $\alpha=-\gamma$ one root is 1. Let "
+        r"so $\cos\sqrt\gamma=-\tfrac12$. On the line $\alpha=-\gamma$ one root is 1. Let "
         r"$x=n_1\beta$:"
     )
     swinging = plant.sampled(plant.normalised(Parts(damping=False)))
@@ -56,7 +56,7 @@ def derive(page):
         "On the line this product is negative",
         1 - (x + Rational(3, 2)) + 2 * x - x**2,
         -((x - Rational(1, 2)) ** 2) - Rational(1, 4),
-        because="the product is negative for every $x$, so that the line is not a border of the "
+        because="the product is negative for every $x$, so the line is not a border of the "
         "region for any damping",
     )
     damping = (-1 / (10 * swinging.n1)).subs(spring)
@@ -122,7 +122,7 @@ def soft_spring(page):
         r"n_0>0$ and $a+\gamma n_0>0$",
     )
     page.say(
-        "A unit force that is held for a period moves the mass by at most half a unit, so that "
+        "A unit force that is held for a period moves the mass by at most half a unit, so "
         r"$n_0\le n_1\le\frac12$. For $\gamma\le1$ this gives the three inequalities: $\gamma "
         r"n_0<1$, $a+\gamma n_0=1+e-\gamma n_1>0$ and $2-a+\gamma n_0=1-e+\gamma(n_1+2n_0)>0$. The "
         r"last one fails for $\gamma=\delta=0$ only. For this free mass take $\beta=\tfrac12$ "

@@ -17,10 +17,10 @@ from symhaptic.paper.propositions.stability import HEAVIER, damping_can_destabil
 
 def derive(page):
     page.say(
-        r"For the arms of (23) and without delay, the stable walls with $\beta>-1$ are those "
-        r"with $\alpha>-\gamma$ and a positive largest minor of Jury "
-        r"(\chapter{s4d_figure7_undelayed}). So it is sufficient that the minor of a wall rises "
-        "with the damping:"
+        r"For the arms of (23) and without delay, the stable walls with $\beta>-1$ are those with "
+        r"$\alpha>-\gamma$ and a positive largest minor of Jury "
+        r"(\chapter{s4d_figure7_undelayed}). It is therefore sufficient to show that this minor "
+        "rises with the damping, for each wall:"
     )
     page.lemma(
         "The stronger of two dampers gives the larger minor of a wall",

@@ -1,7 +1,7 @@
 """Does a larger delay always make the stable region smaller?
 
 A delay reduces the largest stable stiffness. But with a physical spring, each period of delay
-lowers the damping at which the boundary begins, so that some walls are stable only with a delay.
+lowers the damping at which the boundary begins, so some walls are stable only with a delay.
 """
 
 from symhaptic.book.lemmas.boundary import CORNER, begins, begins_there

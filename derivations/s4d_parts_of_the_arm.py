@@ -3,8 +3,8 @@ r"""Do the mass, the spring and the damper of an arm all stabilise the wall?
 The paper concludes that each of these parts is stabilising. A single wall that is stable without
 one of these parts and unstable with it is a counterexample. The areas of the regions are compared
 in \chapter{s4d_areas_of_the_arm}. For each wall we show its polynomial,
-$z^{d+1}(z^2-az+e)+(n_1z+n_0)((\alpha+\beta)z-\beta)$ with the coefficients of the device, and the
-zero that certified balls isolate. Without delay a calculation by hand is sufficient: Jury's
+$z^{d+1}(z^2-az+e)+(n_1z+n_0)((\alpha+\beta)z-\beta)$ with the coefficients of the device, and a
+zero with a certified enclosure. Without delay a calculation by hand is sufficient: Jury's
 inequality $1-a_0^2>|a_1-a_0a_2|$ decides the stability of $z^3+a_2z^2+a_1z+a_0$.
 """
 

@@ -53,7 +53,7 @@ def derive(page):
             (turned - turned.xreplace({I: -I})) / (2 * I),
             height,
             name=rf"\Im {name}",
-            because=r"the imaginary part has one sign for $0<\theta<\pi$, so that the phase is a "
+            because=r"the imaginary part has one sign for $0<\theta<\pi$, so the phase is a "
             "continuous arctangent",
         )
     page.say(
@@ -73,16 +73,16 @@ def derive(page):
     page.say(
         "Where $g$ begins to dominate, the change of argument of $p_1$ differs from that of $f$ "
         r"alone by $-\Phi+\varphi=-2\pi k$. Where $g$ ceases to dominate, it differs by $+2\pi "
-        "k$. The poles of a damped plant with a spring lie inside the unit circle, so that the "
+        "k$. The poles of a damped plant with a spring lie inside the unit circle, so the "
         r"argument of $f$ grows by $(d+3)\pi$ on the half circle. The argument of $p_1$ grows by "
         r"$\pi$ times the number of roots inside. The number of roots outside is therefore a "
         "difference of two sums. The first sum adds $2k$ over the angles where $g$ begins to "
-        "dominate; the second sum adds $2k$ over the angles where $g$ ceases to dominate. If "
-        r"$g$ dominates from $\theta=0$ on, this angle counts with $2k=\arg g(1)/\pi$. If $g$ "
-        r"dominates up to $\theta=\pi$, this angle counts with $2k=\arg g(-1)/\pi-(d+3)$. The "
-        "count takes a square root and a few arctangents, for $d=0$ as well as for $d=10^6$. A "
-        r"plant without damper or spring has the same count as a plant with a small $\delta$ or "
-        r"$\gamma$."
+        "dominate; the second sum adds $2k$ over the angles where $g$ ceases to dominate. If $g$ "
+        r"already dominates at $\theta=0$, this angle belongs to the first sum, with $2k=\arg "
+        r"g(1)/\pi$. If $g$ still dominates at $\theta=\pi$, this angle belongs to the second "
+        r"sum, with $2k=\arg g(-1)/\pi-(d+3)$. The count takes a square root and a few "
+        "arctangents, for $d=0$ as well as for $d=10^6$. A plant without damper or spring has "
+        r"the same count as a plant with a small $\delta$ or $\gamma$."
     )
     page.figure(
         "half_circle",

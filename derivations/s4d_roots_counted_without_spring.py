@@ -1,7 +1,8 @@
 """When is a device without a spring stable with an integer delay?
 
 The argument principle counts roots at up to two angles at which plant and wall have the same size.
-Without a spring, one angle is sufficient: a quadratic and a comparison of angles decide.
+Without a spring, one angle is sufficient: a quadratic and a comparison of angles decide the
+stability.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -9,7 +10,7 @@ from symhaptic.book.lemmas.prelude import *
 
 def derive(page):
     page.say(
-        "Without a spring the plant has a pole at 1, so that $a=1+e$, and $A=(z-1)(z-e)$ vanishes "
+        "Without a spring the plant has a pole at 1, so $a=1+e$, and $A=(z-1)(z-e)$ vanishes "
         r"there. We compare the sizes of plant and wall as in \chapter{s4d_roots_counted}:"
     )
     page.define("The number $y$ is the square of the chord from $z$ to 1", y, 2 - z - 1 / z)
@@ -55,7 +56,7 @@ def derive(page):
         "For such a wall, $g=NW$ determines the argument of $p_1$ on the whole half circle. At "
         "most two of the $d+3$ roots then lie inside: the loop is not stable. Any other wall "
         r"with $\alpha\ne0$ has $F(0)<0<F(4)$, and one angle $\theta_1$ at which plant and wall "
-        r"have the same size. In a stable loop $p_1(1)=\alpha(n_1+n_0)>0$, so that $\arg g(1)=0$ "
+        r"have the same size. In a stable loop $p_1(1)=\alpha(n_1+n_0)>0$, so $\arg g(1)=0$ "
         r"and $\theta=0$ adds nothing to the count of \chapter{s4d_roots_counted}. Only "
         r"$\theta_1$ counts: the number of roots outside is twice the integer nearest to "
         r"$-\Phi(\theta_1)/(2\pi)$. This number is not negative, so the loop is stable if and "

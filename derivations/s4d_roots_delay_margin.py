@@ -32,7 +32,7 @@ def derive(page):
         "to dominate, and return at an angle where the wall begins to dominate",
     )
     page.say(
-        r"The surplus $|A|^2-|NW|^2$ has degree two in $y=4\sin^2\frac\theta2$, so that it rises "
+        r"The surplus $|A|^2-|NW|^2$ has degree two in $y=4\sin^2\frac\theta2$, so it rises "
         r"at no more than one of its zeros. So roots leave at no more than one angle $\theta_1$. "
         "If there is no such angle, a wall that is stable without delay is stable with every "
         "delay. (If the wall dominates at $z=-1$, the sign of $p_1(-1)$ makes the loop unstable "

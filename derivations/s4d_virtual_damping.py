@@ -26,7 +26,7 @@ def derive(page):
         because="for every integer $d$, the rest of the polynomial has the factor $z^{d+1}$",
     )
     page.say(
-        "The polynomial is monic, so that its constant coefficient is the product of its roots, up "
+        "The polynomial is monic, so its constant coefficient is the product of its roots, up "
         r"to the sign. If all roots lie inside the unit circle, $|n_0\beta|<1$ for all $\alpha$, "
         r"$\gamma$, $\delta$ and delays. A free mass has $n_0=\tfrac12$ and $|\beta|<2$, that is "
         "$|B|<2m/T$. With a delay of $p/q$ periods the same argument holds for the polynomial in "

@@ -44,7 +44,7 @@ def derive(page):
         "line",
     )
     page.say(
-        "So (25) is the tangent of the boundary of the free mass only. But for short periods all "
+        "So (25) is tangent to the boundary only for a free mass. But for short periods all "
         r"boundaries tend to this line. Let $T$ and $\delta$ be of order $h^2$, $\gamma$ of order "
         "$h^4$, and the angle of order $h$:"
     )
@@ -56,7 +56,7 @@ def derive(page):
         S.Zero,
         theta**2 * s_2,
         name=r"\alpha(h)/h^2",
-        because=r"for short periods $s_2\to1$, so that $\alpha\approx\theta^2$",
+        because=r"for short periods $s_2\to1$, so $\alpha\approx\theta^2$",
     ).subs(s_2, 1)
     flat, rise = 6 * (d + 1) ** 2 + 1, (d + 1) * (2 * d + 1) * (2 * d + 3)
     apart = theta**2 * (rise * theta**2 - flat * delta) / 12
@@ -114,7 +114,7 @@ def periods(page):
         [2 * exp(-delta / 2) * n for n in (up, side)],
     )
     page.limit(
-        r"The share $\nu$ of the numerator tends to one half",
+        r"The fraction $\nu$ of the numerator tends to one half",
         (side / (2 * delta * up)).subs(brief, simultaneous=True),
         h,
         S.Zero,

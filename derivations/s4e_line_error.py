@@ -1,7 +1,7 @@
 r"""How large is the error of the linear condition along the boundary?
 
 The paper compares the boundary's $\alpha$ with the $\alpha_{\text{lin}}$ of the line at the same
-$\beta$, in units of $\alpha+\gamma$. We derive a formula of this error for the whole boundary.
+$\beta$, in units of $\alpha+\gamma$. We derive a formula for this error on the whole boundary.
 """
 
 from symhaptic.book.lemmas.prelude import *
@@ -45,7 +45,9 @@ def derive(page):
 def polynomials(page):
     """The polynomials of denominator and surplus for d = 0 and d = 1."""
     page.define("The gap $g$ lies between the start of the boundary and the line", G, GAP)
-    page.define(r"The share $\nu$ of the numerator is $\mu$ less than one half", MU, HALF - nu)
+    page.define(
+        r"The fraction $\nu$ of the numerator is less than one half by $\mu$", MU, HALF - nu
+    )
     page.define(r"The number $\kappa$ of the arm is a product", kappa, nu * (s_2 + (1 - nu) * s_1))
     page.define(
         r"The number $\sigma$ of the arm is a sum", SIGMA, s_1 + s_2 + nu * (1 - nu) * gamma

@@ -41,8 +41,8 @@ def derive(page):
         r"The minor falls with $A$ and rises with $b$, for $\beta\le0$, $b\ge-0.03$ and "
         r"stiffnesses up to $\alpha=0.72$ without delay and $\alpha=0.16$ with one period of "
         "delay. So of two walls on the boundary the one with more damping is stiffer. On a ray "
-        "with $b>0$ the minor is concave, so that it is positive between the start and a wall "
-        "of the boundary. Therefore the ray meets the boundary once. Ball arithmetic proves the "
+        "with $b>0$ the minor is concave, so it is positive between the start and a wall on "
+        "the boundary. Therefore the ray meets the boundary once. Ball arithmetic proves the "
         "concavity with one period of delay. Without delay, a formula shows the concavity:"
     )
     page.step(

@@ -58,7 +58,7 @@ def derive(page):
     )
     device = plant.sampled(plant.normalised(Parts(stiffness=False)))
     page.define(
-        r"Without a spring $\nu$ is the share of $n_0$ in the numerator",
+        r"Without a spring $\nu$ is the fraction $n_0$ of the numerator's sum",
         nu,
         linear.numbers(device)[nu],
     )
@@ -93,7 +93,7 @@ def derive(page):
         swings,
         S.Zero,
         name=r"A(e^{j\Omega})",
-        because=r"at $\theta=\Omega=\sqrt\gamma$ the device oscillates without a wall, so that "
+        because=r"at $\theta=\Omega=\sqrt\gamma$ the device oscillates without a wall, so "
         r"$Q=0$ and $\alpha=\beta=0$",
     )
     unbounded_there(page)
@@ -132,8 +132,8 @@ def beyond_two_percent(page):
     )
     page.state(
         "linear-error-corner",
-        "inside (23), for $\\gamma\\delta>0$, the error exceeds 2\\,\\% for a wall of the boundary "
-        "with $\\beta<0$, for $d=0$ and $d=1$",
+        r"inside (23), for $\gamma\delta>0$, the error exceeds 2\,\% for a wall on the boundary "
+        r"with $\beta<0$, for $d=0$ and $d=1$",
         claim=corner(),
     )
     page.settle(

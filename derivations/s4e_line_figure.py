@@ -2,7 +2,7 @@ r"""Where on the boundary is the error of the linear condition 0, 2 or 5 per cen
 
 Fig. 10 of the paper marks points with these errors for $\gamma=0.001$, five dampings and two
 delays. On each boundary the points with one error are zeros of a polynomial of degree two or three
-in $y=4\sin^2\frac\theta2$. Balls enclose all of these zeros.
+in $y=4\sin^2\frac\theta2$. Ball arithmetic encloses all of these zeros.
 """
 
 from flint import arb
@@ -21,11 +21,11 @@ def derive(page):
         r"The error has the value $\varepsilon$ where "
         r"$\Delta-\varepsilon\,(d+\frac12)(\alpha+\gamma)$ vanishes. Multiplied by $|M|^2$ this "
         "expression is a polynomial in $y$ of degree $d+2$. Its coefficients depend on the "
-        r"arm's numbers $\nu$, $s_1$, $s_2$. Flint encloses each of its roots in a ball, and the "
-        r"roots of $\alpha+\gamma$ in the same way. The first root of $\alpha+\gamma$ is the end "
-        "of the arc. The tables list every root on the arc with its angle "
-        r"$\theta=2\arcsin\frac{\sqrt y}2$. So the ten boundaries have these errors at no other "
-        "point."
+        r"parameters $\nu$, $s_1$ and $s_2$ of the arm. Flint encloses each of its roots in a "
+        r"ball, and the roots of $\alpha+\gamma$ in the same way. The first root of "
+        r"$\alpha+\gamma$ is the end of the arc. The tables list every root on the arc with its "
+        r"angle $\theta=2\arcsin\frac{\sqrt y}2$. So the ten boundaries have these errors at no "
+        "other point."
     )
     for delay in DELAYS:
         page.same("a root at z", *wall(delay))
@@ -61,10 +61,10 @@ def derive(page):
         for damping in DAMPINGS:
             counted(page, delay, damping)
     page.say(
-        "The theorem is weaker than the tables. At an angle near that of each mark the wall of "
-        "the boundary has the error of the mark, up to a hundredth of a percent. The walls of "
-        r"the curves have a zero at $e^{j\theta}$ and are not stable, and stable walls lie right "
-        r"of $\alpha=-\gamma$."
+        "The theorem is weaker than the tables. For each mark, it shows that some wall on the "
+        "boundary, at an angle near that of the mark, has the error of the mark to within a "
+        r"hundredth of a percent. The walls on the curves have a zero at $e^{j\theta}$ and are "
+        r"not stable, and stable walls lie right of $\alpha=-\gamma$."
     )
     page.settle(
         "fig10",

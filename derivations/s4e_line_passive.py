@@ -46,7 +46,7 @@ def derive(page):
     )
     page.say(
         "By (2), the damping in (24) is $b_D+b_H$. By (3), the damping in (9) is $b_D$: for "
-        "passivity the arm is arbitrary, so that its damping does not count. A wall between the "
+        "passivity the arm is arbitrary, so its damping does not count. A wall between the "
         "two bounds satisfies (24) and is not passive:"
     )
     page.step(
@@ -104,7 +104,7 @@ def in_its_range(page):
             )
             for (point, motion), but in zip(cases[::-1], extra[::-1], strict=True)
         ],
-        shows="for an undamped device in an arm with $b_H=1$, the wall $K=T=1$, $B=d=0$ "
+        shows="for an undamped device, coupled to an arm with $b_H=1$, the wall $K=T=1$, $B=d=0$ "
         "satisfies (24) and delivers energy",
         note="the statement also holds with equality in (25). Passive walls are stable with "
         r"every spring, so here (25) is safe for every $\gamma\ge0$. For fractional $d$ no wall "

@@ -81,6 +81,6 @@ def order_of_period(page):
         "linear-short-periods",
         all_tend(),
         example=easy,
-        note="the two sides of (24) are of order 1 on the boundary, so that the relative error "
+        note="the two sides of (24) are of order 1 on the boundary, so the relative error "
         "is of order $T$",
     )

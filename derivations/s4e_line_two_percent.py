@@ -23,8 +23,8 @@ def derive(page):
     page.say(
         r"As long as $\beta\le0$, the error rises along the boundary and is less than $2\,\%$ "
         r"(\chapter{s4e_line_error_rises}). So some wall with $\alpha\ge0$ has an error below "
-        r"$-2\,\%$ if and only if the boundary's wall with $\alpha=0$ has one. We compute the "
-        r"damping of a wall with $\alpha=0$ and an error of $-2\,\%$:"
+        r"$-2\,\%$ if and only if the wall on the boundary with $\alpha=0$ has one. We compute "
+        r"the damping of a wall with $\alpha=0$ and an error of $-2\,\%$:"
     )
     page.step(
         r"At $\alpha=0$ one virtual damping gives an error of $-2\,\%$",
@@ -37,8 +37,8 @@ def derive(page):
         r"In the coordinates $A$, $b$ of \chapter{s4e_line_error_rises} this wall lies on the ray "
         r"$b=0.98\,(d+\frac12)A$, at $A=\gamma$. On a ray Jury's minor is concave. At the start "
         "of the ray the minor is not negative, and hardly larger than the gap. If the minor is "
-        r"negative at $A=\gamma$, it is negative for all stiffer walls of the ray, and the error "
-        "of the boundary is smaller than on the ray. If the minor is positive, a wall of the "
+        r"negative at $A=\gamma$, it is negative for all stiffer walls on the ray, and the error "
+        "on the boundary is smaller than on the ray. If the minor is positive, a wall on the "
         r"boundary with $\alpha$ just above zero has a larger error."
     )
     page.lemma(
@@ -67,7 +67,7 @@ def own(page):
     theorem = on_either_side()
     page.state(
         "linear-two-percent",
-        r"for $\gamma=0.001$ some wall of the boundary with $\alpha\ge0$ and $\beta<0$ has an "
+        r"for $\gamma=0.001$ some wall on the boundary with $\alpha\ge0$ and $\beta<0$ has an "
         r"error of more than 2\,\%: for $d=0$ at all $\delta\ge0.01744$ and at no "
         r"$\delta\le0.01743$, and for $d=1$ at all $\delta\ge0.01481$ and at no $\delta\le0.01480$",
         claim=claim,

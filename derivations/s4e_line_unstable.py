@@ -46,11 +46,12 @@ def derive(page):
     )
     page.say(
         r"The minor is not negative at the start of the line, $\alpha=-\gamma$. Since it is "
-        "concave and positive for a stable wall of the line, it is positive for all walls of the "
-        r"line with smaller $\alpha$. The other inequalities without delay are linear on the line. "
-        "With one period of delay the minor is a cubic. Ball arithmetic shows that this cubic is "
-        r"concave up to $\alpha=0.16$; no stiffer wall is stable. So the stable walls of the line "
-        "end at one wall. At this wall the line crosses the boundary, and it does so only once:"
+        "concave and positive for a stable wall on the line, it is positive for all walls on the "
+        r"line with smaller $\alpha$. The other inequalities without delay are linear on the "
+        "line. With one period of delay the minor is a cubic. Ball arithmetic shows that this "
+        r"cubic is concave up to $\alpha=0.16$; no stiffer wall is stable. So the stable walls on "
+        "the line end at one wall. At this wall the line crosses the boundary, and it does so "
+        "only once:"
     )
     theorem = as_claimed(page.claim("s4e-unstable-side"), one_crossing())
     page.lemma(
@@ -65,7 +66,7 @@ def derive(page):
         theorem,
         example={gamma: S.Zero, delta: S.Zero, x: S.One, alpha: S(2)},
         note="the statement holds for $d=0$ and $d=1$ on all of (23). Without damping the "
-        r"crossing is the origin, and all walls of the line with $\alpha>0$ are unstable",
+        r"crossing is the origin, and all walls on the line with $\alpha>0$ are unstable",
     )
 
 

@@ -24,7 +24,7 @@ def derive(page):
     )
     page.say(
         r"The walls that satisfy (25), $\alpha>-\gamma$ and $\beta\le\beta_\times$ form a "
-        "triangle. For each wall of the triangle, the line has a stiffer wall with the same "
+        "triangle. For each wall in the triangle, the line has a stiffer wall with the same "
         "damping. This wall is at most as stiff as the crossing, so it is stable. With less "
         "stiffness the largest of Jury's minors is larger, and the other inequalities hold in "
         "the whole triangle."

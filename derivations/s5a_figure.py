@@ -68,13 +68,13 @@ def derive(page):
 def _settled(page):
     page.lemma(
         r"For $\delta=0.02$ the curve (27) bounds the passive walls, and above its corner every "
-        "wall of the boundary is on it",
+        "wall on the boundary lies on this curve",
         passive_curve(dashed()),
         because=r"the curve is the boundary up to $\hat\omega=\pi/(d+1)$ and for integer delays, "
         "as in Fig. 4",
     )
     page.lemma(
-        "The walls of the explicit boundary have a zero on the circle, and none of them is stable",
+        "The walls on the explicit boundary have a zero on the circle, and none of them is stable",
         stable_curve(),
         because="this holds for integer delays",
     )

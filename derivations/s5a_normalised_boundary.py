@@ -53,7 +53,7 @@ def _boundary(page, *forms):
     above = page.lemma(
         "With a delay the walls of (27) are the whole boundary above the corner",
         above_in_units(others.of[1]),
-        because=r"by \chapter{s3b_rise} the walls of the boundary satisfy (7), which is (27) at "
+        because=r"by \chapter{s3b_rise} the walls on the boundary satisfy (7), which is (27) at "
         r"$\hat\omega=\omega T$",
         boxed=True,
     )

@@ -98,8 +98,8 @@ def derive(page):
         ),
         misprint=False,
         unless=[counterexample_of()],
-        shows=r"a device of 1 kg and 0.625 Ns/m in an arm of 1 kg and 14.6 Ns/m, $T=1$ ms and "
-        r"$K=10\,000$ N/m: (5) holds with $\delta$ and fails with $b_D$",
+        shows="a device of 1 kg and 0.625 Ns/m, coupled to an arm of 1 kg and 14.6 Ns/m, $T=1$ "
+        r"ms and $K=10\,000$ N/m: (5) holds with $\delta$ and fails with $b_D$",
         note="the figures are right for an arm without damping. It remains true that passive walls "
         "are stable with every spring, and that the ratio of stable to passive stiffness exceeds "
         r"17.8 at $d=0$ and 9.3 at $d=1$. It is not true that $\eta$ comes near 1, and the passive "

@@ -23,7 +23,7 @@ def derive(page):
     page.say(
         "We use units of mass and period. Let $P=N/A$ be the sampled device with $A=z^2-az+e$ "
         r"and $N=n_1z+n_0$, and let $W(z)=(\alpha+\beta(1-1/z))z^{-d}$ be the wall with its "
-        "delay. At a root of the loop, $1+PW=0$, so that $W=-1/P$. The margin of passivity, "
+        "delay. At a root of the loop, $1+PW=0$, so $W=-1/P$. The margin of passivity, "
         r"$\delta+\Re\{W/(z-1)\}$, becomes $\delta-\Re\{1/((z-1)P)\}$ there, and no longer "
         r"contains the delay, $\alpha$ and $\beta$. Let a held force $F$ drive the device in a "
         r"steady state that is multiplied by $z=e^{j\theta}$ per period."
@@ -51,7 +51,7 @@ def derive(page):
     page.say(
         r"Divided by $|(z-1)N|^2$ the inequality is $\delta<\Re\{1/((z-1)P)\}$. Now take a wall "
         r"$W$ that satisfies (5) and scale it from zero: $yW$ with $0<y\le1$. At a root of the "
-        r"loop on the circle, $1/P=-yW$, so that $\delta+y\Re\{W/(z-1)\}<0$. But the left side is "
+        r"loop on the circle, $1/P=-yW$, so $\delta+y\Re\{W/(z-1)\}<0$. But the left side is "
         r"the sum of $(1-y)\delta$ and $y$ times the margin, and neither term is negative."
     )
     page.lemma(

@@ -33,7 +33,7 @@ def derive(page):
     quarter = {d: pi / (2 * theta) - 1}
     page.say(
         r"At the angle $\theta=\pi/(2(d+1))$ the passivity condition does not contain the damping "
-        "of the wall, so that it bounds the stiffness alone:"
+        "of the wall, so it bounds the stiffness alone:"
     )
     page.step(
         r"At $(d+1)\theta=\frac\pi2$ the required damping does not contain $\beta$",

@@ -1,4 +1,4 @@
-"""Which wall of the boundary bounds the stable stiffness?
+"""Which wall on the boundary bounds the stable stiffness?
 
 The stiffness on the explicit boundary has a first maximum, but at larger angles it becomes larger
 again. We show from the poles of the loop that no stable wall is stiffer than the first maximum. By
@@ -23,11 +23,11 @@ def derive(page):
         r"$\tfrac12$. So $2\Re(\bar pzp')>(d+3)|p|^2$ everywhere on the circle."
     )
     page.say(
-        r"Let $(\alpha_1,\beta_1)$ be the wall of the boundary for which $p$ has a zero at "
+        r"Let $(\alpha_1,\beta_1)$ be the wall on the boundary for which $p$ has a zero at "
         r"$z=e^{j\theta}$. Let $(x,y)$ be the derivative of the boundary with respect to $\theta$ "
-        "at this wall. For "
-        r"the wall $(\alpha_1+u,\beta_1+v)$ the polynomial is $q=N(uz+v(z-1))$ at this $z$, and "
-        "$zp'$ is $jN(xz+y(z-1))+zq'$. At $z$ the inequality has a linear and a quadratic part:"
+        r"at this wall. For the wall $(\alpha_1+u,\beta_1+v)$ the polynomial is $q=N(uz+v(z-1))$ "
+        "at this $z$, and $zp'$ is $jN(xz+y(z-1))+zq'$. At $z$ the inequality has a linear and a "
+        "quadratic part:"
     )
     turn = exp(I * theta)
     way, rest = x * turn + y * (turn - 1), u * turn + v * (turn - 1)
@@ -42,9 +42,9 @@ def derive(page):
     )
     page.say(
         "For an integer $d$, the quadratic part is negative definite if "
-        r"$\bigl(d+1-(n_1^2-n_0^2)/|N|^2\bigr)\sin\theta>1$, that is, from about $(d+1)\theta=1$ "
-        "on. At these angles $uy-vx<0$ for every stable wall: the stable walls lie on one side "
-        "of the tangent."
+        r"$\bigl(d+1-(n_1^2-n_0^2)/|N|^2\bigr)\sin\theta>1$, that is, for $(d+1)\theta$ above "
+        "about 1. At these angles $uy-vx<0$ for every stable wall: the stable walls lie on one "
+        "side of the tangent."
     )
     for id, says, claim, found in (
         (

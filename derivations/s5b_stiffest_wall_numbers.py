@@ -35,7 +35,7 @@ def derive(page):
     )
     page.say(
         "For the arms of Fig. 12 two walls give the largest stable stiffness to nine digits. "
-        "Balls around the poles of the loop show that a wall just below the tip is stable. One "
+        "Enclosures of the poles of the loop show that a wall just below the tip is stable. One "
         r"point of the circle shows that no stable wall is stiffer (\chapter{s5b_stiffest_wall}):"
     )
     arm = (STIFF, DAMPED)
@@ -45,7 +45,7 @@ def derive(page):
     page.lemma(f"At $d=1$ all stable walls have $\\alpha<{float(limit):.12f}$", softer)
     page.table(
         r"Ratio of the largest stable to the largest passive stiffness for $\delta=0.02$, with "
-        r"truncated decimals. The claim of \texttt{s0-far-higher} states each of these numbers by "
+        r"truncated decimals. The claim of \texttt{s0-far-higher} states each of these numbers as "
         "two inequalities.",
         ["$d$", r"$\gamma=0$", r"$\gamma=0.001$"],
         [[n, RATIOS[S.Zero][n], RATIOS[STIFF][n]] for n in RATIOS[STIFF]],

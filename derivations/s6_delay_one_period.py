@@ -1,4 +1,4 @@
-"""Which share of the stable stiffness remains with one period of delay?
+"""What fraction of the stable stiffness remains with one period of delay?
 
 In its conclusion the paper says that less than 22 % of the stable stiffness remains. We ask for
 which arms this is true.
@@ -23,9 +23,9 @@ def derive(page):
         page.lemma(f"At $d={delay}$ all stable walls have $\\alpha<{float(limit):.12f}$", softer)
     page.state(
         "one-period-share",
-        "one period of delay leaves a share of the largest stable stiffness between 0.21654783 and "
-        "0.21654784 for the arm of Figs. 11 and 12, and between 0.21050726 and 0.21050727 for a "
-        "free mass",
+        "with one period of delay, the largest stable stiffness is 0.21654783 to 0.21654784 "
+        "times the undelayed one for the arm of Figs. 11 and 12, and 0.21050726 to 0.21050727 "
+        "times for a free mass",
         claim=left_by_one_period(),
     )
     page.settle("one-period-share", far_higher.left_by_one_period(), enclosed=True)

@@ -62,10 +62,10 @@ def settled(page):
     """Settle faster sampling, for a delay of one period and of ten."""
     page.say(
         "For stable walls no such bound is shown for all delays. We call a gain significant if "
-        "it is at least a quarter. At ten periods of delay we check every integer ratio of "
-        "rates up to ten, for a free mass and for the arm of Figs. 11 and 12. A stable wall "
-        "near the tip bounds the stiffness at the old rate, and a bound on all stable walls "
-        "near the tip bounds it at the new rate:"
+        "it is at least a quarter. At ten periods of delay we check every integer ratio of rates "
+        "up to ten, for a free mass and for the arm of Figs. 11 and 12. A stable wall near the "
+        "tip is a lower bound of the largest stiffness at the old rate. A bound on all stable "
+        "walls is an upper bound at the new rate:"
     )
     page.lemma(
         "With a delay of a hundred periods the stable walls of a free mass have "

@@ -1,6 +1,6 @@
 r"""How do the passive and the stable walls scale with the sampling rate and the mass?
 
-Passivity depends neither on the mass nor on the operator, so that its limits scale without
+Passivity depends neither on the mass nor on the operator, so its limits scale without
 conditions. The stable walls scale if $\gamma$ and $\delta$ of Table I stay the same, but not if the
 damper or the spring of the operator is constant.
 """

@@ -53,7 +53,7 @@ def derive(page):
     )
     page.settle("fractional-polynomial", found, example=EXAMPLE)
 
-    page.say(r"The polynomial is affine in $\alpha$ and $\beta$, so that the boundary is explicit:")
+    page.say(r"The polynomial is affine in $\alpha$ and $\beta$, so the boundary is explicit:")
     q = -(z ** (l + 1)) * bottom / top
     page.step(
         "A root determines one wall",

@@ -35,7 +35,7 @@ def derive(page):
         top * top.xreplace({I: -I}),
         cos(theta / 2) ** 2 + 4 * epsilon**2 * (1 - epsilon) ** 2 * sin(theta / 2) ** 4,
         name="|M|^2",
-        because=r"here $|N|^2=\cos^2\frac\theta2$, so that $|Q|\le|Q_p|$",
+        because=r"here $|N|^2=\cos^2\frac\theta2$, so $|Q|\le|Q_p|$",
     )
     ratio = on_circle(exact / printed)
     page.limit(
@@ -50,7 +50,7 @@ def derive(page):
     )
     half, c = {epsilon: S.Half}, cos(theta / 2)
     shrinks = page.step(
-        "With a delay of half a period the wall of the exact boundary is the smaller one",
+        "With a delay of half a period the wall on the exact boundary is the smaller one",
         ratio.subs(half),
         2 * c / (1 + c**2),
         name="Q/Q_p",
@@ -61,7 +61,7 @@ def derive(page):
         on_circle(printed.subs(half)) * exp(-I * (l + 1) * theta),
         4 * sin(theta / 2) ** 2 / c,
         name=r"Q_p\,e^{-j(\ell+1)\theta}",
-        because=r"the quotient is positive, so that $Q$ and $Q_p$ have the phase $(\ell+1)\theta$",
+        because=r"the quotient is positive, so $Q$ and $Q_p$ have the phase $(\ell+1)\theta$",
     )
     page.step(
         "The two boundaries are farthest apart at $\\ell=0$, $\\theta=\\frac\\pi3$",
@@ -95,7 +95,7 @@ def derive(page):
         on_circle((free.numerator.subs(half) - q * late) / z),
         (1 + c**2) / 2 - q * (1 - c) ** 2 / 2,
         name=r"\frac{1}{z}\Bigl(M-\frac{q}{8}(\zeta-1)^4\Bigr)",
-        because="the factor is real, so that a root on the circle is a root of the exact loop with "
+        because="the factor is real, so a root on the circle is a root of the exact loop with "
         r"a wall $yW$. Here $W=\alpha+\beta(1-1/z)$ and "
         r"$1-y=q(1-\cos\frac\theta2)^2/(1+\cos^2\frac\theta2)$",
     )
@@ -130,7 +130,7 @@ def derive(page):
     page.lemma(
         "No root crosses the imaginary axis outside the circle",
         on_the_axis(),
-        because=r"on the axis $\zeta=je^\psi$ and $z<0$, so that only the term has an imaginary "
+        because=r"on the axis $\zeta=je^\psi$ and $z<0$, so only the term has an imaginary "
         "part",
     )
     found = page.lemma(

@@ -1,6 +1,6 @@
 r"""When is a wall with a fractional delay passive?
 
-With a delay of $\ell+\varepsilon$ periods the force changes inside a period, so that the motion
+With a delay of $\ell+\varepsilon$ periods the force changes inside a period, so the motion
 within the period matters. We ask which inequality ensures that no motion extracts energy, and what
 this inequality becomes for integer delays.
 """

@@ -17,10 +17,10 @@ from symhaptic.notation import q_k
 
 def derive(page):
     page.say(
-        r"Let a root lie at $z=e^{j\theta}$, and follow the motion that belongs to it, in units of "
-        r"mass and period. In each period the force $F$ acts from $\varepsilon$ on, and the "
-        "previous force $F/z$ acts before. The state is multiplied by $z$ in every period, and its "
-        "samples are those of the device, $x_0/F=M(z)/(zA(z))$."
+        r"Let a root lie at $z=e^{j\theta}$, and follow the motion that belongs to it, in units "
+        r"of mass and period. In each period the force $F$ acts after the fraction $\varepsilon$, "
+        "and the previous force $F/z$ acts before it. The state is multiplied by $z$ in every "
+        "period, and its samples are those of the device, $x_0/F=M(z)/(zA(z))$."
     )
     device = plant.normalised(Parts())
     given = {gamma: (delta**2 - c**2) / 4}

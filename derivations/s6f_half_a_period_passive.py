@@ -1,6 +1,6 @@
 r"""How stiff can a passive wall be with a delay of half a period?
 
-For $d=\tfrac12$ the exact condition is a quadratic in $\cos^2\frac\theta2$, so that the boundary of
+For $d=\tfrac12$ the exact condition is a quadratic in $\cos^2\frac\theta2$, so the boundary of
 the passive walls has a formula. We work in units of $b$ and $T$.
 """
 
@@ -74,7 +74,7 @@ def derive(page):
         "No passive wall is stiffer than $1.175870\\,b/T$",
         stiffest_half_late(),
         because="a wall with slightly less stiffness has $f_2=4B>0$ and, by the formula of the "
-        "discriminant, $f_1^2-4f_0f_2<0$, so that $f$ is a sum of squares. For a wall with "
+        "discriminant, $f_1^2-4f_0f_2<0$, so $f$ is a sum of squares. For a wall with "
         r"$K\ge1.17587$, $f$ is negative at $y=0.781799$, that is, $\tan\frac\theta2=0.5283$. For "
         "the best $B$ its value at this $y$ is "
         r"$1-Ky-\frac1{16}K^2+(4y^2-3y-\frac14K(1-y))^2/(1-y)$, which falls with $K$ and is "

@@ -1,8 +1,8 @@
 """How stiff can a passive wall be with any delay?
 
-With a delay of half a period the largest passive stiffness is a root of a polynomial of degree six.
-With any delay, the walls that require exactly the damping of the device at one angle lie on a
-circle. A passive wall cannot be stiffer than the stiffest wall of this circle.
+With a delay of half a period the largest passive stiffness is a root of a polynomial of degree
+six. With any delay, the walls that require exactly the damping of the device at one angle lie on a
+circle. A passive wall cannot be stiffer than the stiffest wall on this circle.
 """
 
 from symhaptic.book.lemmas.late_passivity import EVERY_MARGIN, GIVEN, LATE, WALL, passive_late
@@ -43,9 +43,9 @@ def derive(page):
         r"$b/(\kappa\sin\psi)$. A passive wall lies inside the circles of all angles",
     )
     found = page.lemma(
-        "No passive wall is stiffer than the stiffest wall of a circle",
+        "No passive wall is stiffer than the stiffest wall on a circle",
         bounded_at_every_angle(),
-        because="the first of the squares is at most $b^2$, so that its root is at most $b$",
+        because="the first of the squares is at most $b^2$, so its root is at most $b$",
         boxed=True,
     )
     page.state(
@@ -60,9 +60,9 @@ def derive(page):
     allowed = SHARE * K * T * sin(theta) <= 2 * b * (1 - UP)
     page.settle("fractional-stiffness-bound", allowed, found, example=point)
     page.say(
-        "The smallest bound is at the angle at which the derivative of the bound vanishes. At this "
-        "angle one wall of the circle has the stiffness of the bound. A numerical test, but no "
-        "proof, shows that this wall satisfies the condition at all other angles."
+        "The smallest bound is at the angle at which the derivative of the bound vanishes. At "
+        "this angle one wall on the circle has the stiffness of the bound. A numerical test, but "
+        "no proof, shows that this wall satisfies the condition at all other angles."
     )
     page.step(
         "The slope of the bound has the sign of a sum",

@@ -47,7 +47,7 @@ def settle_literal(page):
         "Taken literally, the spring of the device bounds the stiffness of a stable wall if $q$ is "
         "even",
         within_the_spring(),
-        because=r"all roots of $p_1(-\zeta)$ also lie inside, so that the values at 1 and at "
+        because=r"all roots of $p_1(-\zeta)$ also lie inside, so the values at 1 and at "
         "$-1$ have the sign of the highest power",
     )
     page.state(

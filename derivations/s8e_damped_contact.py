@@ -24,7 +24,7 @@ def derive(page):
         boxed=True,
     )
     page.say(
-        "As published, the rule subtracts a damping, $B^2T/(2m)$, from a stiffness, so that the "
+        "As published, the rule subtracts a damping, $B^2T/(2m)$, from a stiffness, so the "
         "result depends on the unit of time. Even with $B^2/(2m)$, which has the unit of a "
         "stiffness, the rule allows unstable walls:"
     )

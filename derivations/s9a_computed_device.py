@@ -50,9 +50,9 @@ GIVEN = {gamma: SPRING}
 
 def derive(page):
     page.say(
-        r"Let $c=\sqrt{\delta^2-4\gamma}$ be the difference of the poles of the device, so that "
+        r"Let $c=\sqrt{\delta^2-4\gamma}$ be the difference of the poles of the device, so "
         r"$\gamma=(\delta^2-c^2)/4$. The program computes six functions of $\gamma$ and "
-        r"$\delta$. Each function is even in $c$, so that the sign of the root does not matter. "
+        r"$\delta$. Each function is even in $c$, so the sign of the root does not matter. "
         "None of them has a pole: if the formula divides by zero, the value of the function is "
         "the limit."
     )
@@ -70,13 +70,13 @@ def derive(page):
         page.same(title, computed()[place].xreplace(GIVEN), derived.xreplace(GIVEN))
         page.step(title, derived, factor * upright(own(gamma, delta)), name=left)
     page.say(
-        r"These functions are accurate, but the formulas above are not. For $\gamma$ and "
-        r"$\delta$ near $10^{-6}$ the numerator of PlantN1 is of the size $\gamma/2$, but it is "
-        "a difference of numbers near 1. So only nine or ten of sixteen digits remain. The "
-        r"power series begins with $\frac12$ and loses no digits. For the same reason, separate "
-        "functions compute $1-a+e$ and $n_1-n_0$. The first is otherwise a sum of numbers near "
-        r"1, $-2$ and 1, the second a difference of two numbers near $\frac12$. The program "
-        r"computes $1-e$ as $\delta$ times the following function."
+        r"These functions are accurate, but the formulas above are not. For $\gamma$ and $\delta$ "
+        r"near $10^{-6}$ the numerator of PlantN1 is of the size $\gamma/2$, but it is a "
+        "difference of numbers near 1. So only nine or ten of sixteen digits remain. The power "
+        r"series begins with $\frac12$ and loses no digits. For the same reason, separate "
+        "functions compute $1-a+e$ and $n_1-n_0$. Computed directly, the first would be a sum of "
+        r"numbers near 1, $-2$ and 1, and the second a difference of two numbers near $\frac12$. "
+        r"The program computes $1-e$ as $\delta$ times the following function."
     )
     loss, free = Decay.definition(delta), Creep.definition(delta)
     page.define(
@@ -99,7 +99,7 @@ def derive(page):
         delta,
         free,
         name=upright(PlantN1(gamma, delta)),
-        because=r"here $c$ tends to $\delta$, so that $\gamma$ tends to 0",
+        because=r"here $c$ tends to $\delta$, so $\gamma$ tends to 0",
     )
     page.limit(r"For a free mass $n_1=\frac12$", free, delta, S.Zero, S.Half)
     critical = plant.sampled(plant.Plant(S.One, delta, delta**2 / 4)).n1

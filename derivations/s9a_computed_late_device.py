@@ -19,7 +19,7 @@ def derive(page):
     page.say(
         r"With a fractional delay $\varepsilon$ of a period the previous force acts for the time "
         r"$\varepsilon$, and the new one for the rest. Each part is a shorter period, with "
-        r"$\gamma$ and $\delta$ in its units, so that the same functions apply. The coefficient "
+        r"$\gamma$ and $\delta$ in its units, so the same functions apply. The coefficient "
         r"$m_2$ is $(1-\varepsilon)^2$ times PlantN1 of $\gamma(1-\varepsilon)^2$ and "
         r"$\delta(1-\varepsilon)$. The coefficient $m_0$ is "
         r"$\varepsilon^2e^{-\delta(1-\varepsilon)}$ times PlantN0 of $\gamma\varepsilon^2$ and "

@@ -16,7 +16,7 @@ def derive(page):
     c, s = cos(theta / 2), sin(theta / 2)
     page.say(
         r"A root at $z=e^{j\theta}$ requires $\alpha+\beta(1-1/z)=Q$ with $Q=-z^{d+1}A/(zN)$ and "
-        r"$N=n_1z+n_0$, so that $\beta=\Im Q/\sin\theta$ and $\alpha=\Re Q-\beta(1-\cos\theta)$. "
+        r"$N=n_1z+n_0$, so $\beta=\Im Q/\sin\theta$ and $\alpha=\Re Q-\beta(1-\cos\theta)$. "
         r"With a fractional delay $Q=-z^{\ell+1}A/M$ and $M=m_2z^2+m_1z+m_0$. In terms of half the "
         "angle, $A$, $N$ and $M$ are combinations of their values at $z=1$ and $z=-1$. Separate "
         r"functions compute these values (\chapter{s9a_computed_device} and "

@@ -47,7 +47,7 @@ def derive(page):
         "damping and its slope",
     )
     page.say(
-        r"The stiffest wall of the boundary has the angle $\theta=\pi/(2(d+1))$, at which "
+        r"The stiffest wall on the boundary has the angle $\theta=\pi/(2(d+1))$, at which "
         r"$\cos(d+1)\theta$ vanishes. The stiffness of this wall is a multiple of a tangent "
         "function. Its damping is a difference without cancellation:"
     )

@@ -217,7 +217,7 @@ def test_what_is_read_is_not_written_over(tmp_path):
         (tmp_path / "no").mkdir(exist_ok=True)
         run = symhaptic("verify", "my-own", "--derivation", path, "-o", place)
         assert run.returncode == 2
-        assert run.stderr.endswith(": is what is read here; give another file\n")
+        assert run.stderr.endswith(": is the input file; give another one\n")
         assert path.read_text(encoding="utf-8") == GOOD
 
 

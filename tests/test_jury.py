@@ -350,7 +350,7 @@ def test_the_command_prints_what_the_function_returns(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["1.5"], "DELAY: '1.5' is no whole number"),
+        (["1.5"], "DELAY: '1.5' is not an integer"),
         (["1", "--gamma", "0"], "--delta: is missing"),
         (["1", "--gamma", "-1", "--delta", "0"], "--gamma: -1.0 is not allowed; give finite"),
         (["1", "--gamma", "x", "--delta", "0"], "--gamma: 'x'"),

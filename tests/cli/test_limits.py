@@ -351,6 +351,20 @@ def test_the_delay_margin_in_words(tmp_path, spring, wall, told):
         assert found["delay_margin_s"] == 0
 
 
+def test_the_delay_margin_of_a_simulator_is_not_computed_and_not_unlimited(tmp_path):
+    """One step of delay gives z^3 - 2 z^2 + 2.5 z - 0.5, which has two roots of modulus 1.44."""
+    path = tmp_path / "device.toml"
+    path.write_text(
+        'mass = "1 kg"\nsampling_period = "1 s"\nintegrator = "semi-implicit Euler"\n'
+        '[velocity]\nkind = "measured"\n[wall]\nK = "1 N/m"\nB = "0.5 Ns/m"\n'
+    )
+    said = "delay margin     not computed (a simulator has no time between its steps)\n"
+    assert said in symhaptic("limits", path).stdout
+    wall = json.loads(symhaptic("limits", path, "--format", "json").stdout)["wall"]
+    assert wall["delay_margin_s"] is wall["max_delay_s"] is None
+    assert wall["delay_margin_not_computed"] == "a simulator has no time between its steps"
+
+
 def test_an_arm_that_was_measured_with_its_device_may_be_said_to_be(tmp_path):
     from symhaptic.scene.device_file import read
 
@@ -379,7 +393,7 @@ def test_a_device_is_not_written_over(device):
     place = device.rename(device.with_suffix(".txt"))
     done = symhaptic("limits", place, "-o", place)
     assert done.returncode == 2
-    assert done.stderr.endswith(": is what is read here; give another file\n")
+    assert done.stderr.endswith(": is the input file; give another one\n")
     assert place.read_text() == text
 
 

@@ -204,7 +204,7 @@ def test_a_domain_is_said_in_one_place_and_shown():
         _, files = request.built(target, request.chosen(["is_stable", "unstable_roots"]))
         source = "\n".join(files[n] for n in files if re.search(r"\.(py|m|c|cpp|f90|rs|mjs)$", n))
         largest = "1e70" if target.precision is DOUBLE else "1e8"
-        assert f"False outside, and where an argument is NaN or larger than {largest}" in " ".join(
+        assert f"False outside it, and if an argument is NaN or larger than {largest}" in " ".join(
             re.sub(r"^[\s*/%!#]+", "", line) for line in (source + files.get("haptic.h", "")
             + files.get("haptic.hpp", "")).splitlines())  # fmt: skip
         assert "is_stable is a truth value" in files["README.md"]

@@ -5,6 +5,7 @@ The point between coupling and wall has no mass, so that both forces are equal t
 import numpy as np
 import pytest
 from loops.oracle import device, difference_equation, low_pass, sizes, under_force
+from scipy.signal import cont2discrete
 
 from symhaptic import Coupling, Difference, LowPass, Measured, Scene, Window
 from symhaptic.loops.engine import Engine
@@ -110,15 +111,38 @@ def test_behind_a_coupling_that_is_stable_with_a_rigid_wall_there_is_no_limit(vi
     scene = Scene(**own, coupling=soft, virtual_mass=virtual_mass)
     assert Scene(**own).is_stable(2000.0, 5.0)
     assert scene.is_stable(1e12, 1e8)
-    assert "any stiffness, because" in scene.describe()
+    assert "no upper limit, because" in scene.describe()
     for ask in (
         scene.max_stable_stiffness,
         scene.stable_region,
         lambda: scene.limit_at(5.0),
         lambda: scene.damping_for(100.0),
     ):
-        with pytest.raises(ValueError, match=r"^coupling: .* so the stiffness has no limit"):
+        with pytest.raises(ValueError, match=r"^coupling: .* so the stiffness has no upper limit"):
             ask()
+
+
+def test_no_upper_limit_does_not_make_every_stiffness_stable():
+    """A rigid wall is stable and a softer one is not, by SciPy's hold and NumPy's roots."""
+    m, b, T, periods, Kc, Bc = 0.1, 0.01, 0.001, 3, 2000.0, 10.0
+    num, den, _ = cont2discrete(([1.0], [m, b, 0.0]), T, method="zoh")
+    between = np.array([Kc + Bc / T, -Bc / T])  # times 1/z
+
+    def largest(K):
+        plant = np.polymul(
+            np.polymul(den, between + np.array([K, 0.0])), [1.0] + [0.0] * (periods + 1)
+        )
+        loop = np.polyadd(plant, np.polymul(num.ravel(), np.polymul(between, [K, 0.0])))
+        return abs(np.roots(loop)).max()
+
+    assert largest(1e12) < 0.998
+    assert largest(2000.0) > 1.008
+    coupling = Coupling(stiffness=Kc, damping=Bc)
+    scene = Scene(mass=m, damping=b, sampling_period=T, delay_samples=periods, coupling=coupling)
+    assert scene.is_stable([1e12, 2000.0], 0.0).tolist() == [True, False]
+    assert "a softer wall may be unstable" in scene.describe()
+    with pytest.raises(ValueError, match=r"no upper limit, but a softer wall may be unstable"):
+        scene.limit_at(0.0)
 
 
 def test_what_it_does_not_answer_it_refuses(tmp_path):

@@ -106,7 +106,7 @@ def short(gamma, delta):
     at["nu"], at["s_1"] = (
         value(shown(ENDS, t), **at)
         for t in (
-            r"The second coefficient has the share $\nu$ of the numerator's sum",
+            r"The second coefficient is the fraction $\nu$ of the numerator's sum",
             "The number $s_1$ is the low-frequency damping of the device",
         )
     )

@@ -27,7 +27,7 @@ WHOLE, LEAVES, NOT = "whole", "leaves", "not"
 """Leaves and joins alike; with steps open; nothing of the statement."""
 
 CHANGED = "what it says has changed since Rocq was asked"
-UNKNOWN = "Rocq was not asked"
+UNKNOWN = "not checked with Rocq"
 
 REALS, EXCLUDED = "the axioms of the reals", "excluded middle"
 EXTENSIONAL, INTEGERS = "functional extensionality", "primitive integers and floats"

@@ -154,7 +154,7 @@ def jury(
         if given is not None
     }
     if not delay.isdecimal():
-        refuse(f"DELAY: {delay!r} is no whole number of periods; give 0, 1, 2, ...")
+        refuse(f"DELAY: {delay!r} is not an integer number of periods; give 0, 1, 2, ...")
     if len(delay) > len(str(criterion.LONGEST)) or int(delay) > criterion.LONGEST:
         refuse(f"DELAY: {delay} is not allowed; give at most {criterion.LONGEST} periods")
     try:

@@ -57,7 +57,7 @@ def limits(
     ] = None,
     chart: Annotated[
         bool,
-        typer.Option("--chart", help="Also give the limits for many dampings B, the K-B chart."),
+        typer.Option("--chart", help="Also compute the limits for many dampings B: the K-B chart."),
     ] = False,
 ) -> None:
     """Print the limits of stable and passive walls for a device.
@@ -72,7 +72,7 @@ def limits(
 
     writable(output)
     if output is not None and output.resolve() == device.resolve():
-        refuse(f"-o {output}: is what is read here; give another file")
+        refuse(f"-o {output}: is the input file; give another one")
     said, into = asked(output, format)
     if into in DRAWN:
         can_draw(f"-o {output}")
@@ -165,17 +165,17 @@ def answers(scene: Scene, wall: tuple[float, float] | None) -> dict[str, Any]:
     def finite(value: float) -> float | None:
         return value if math.isfinite(value) else None
 
-    not_told = why_not_passive(scene)
-    told = bool(scene.damping) and not not_told
+    no_passivity = why_not_passive(scene)
+    damped = bool(scene.damping) and not no_passivity
     data: dict[str, Any] = {
         "units": {"K": scene.printed("N/m"), "B": scene.printed("N*s/m"), "frequency_hz": "Hz"},
         "arm": None if scene.arm is None else str(scene.arm),
         "stiffest_stable": limit(scene.max_stable_stiffness()),
         "stable_without_virtual_damping": limit(scene.limit_at(B=0.0)),
-        "stiffest_passive": limit(scene.max_passive_stiffness()) if told else None,
+        "stiffest_passive": limit(scene.max_passive_stiffness()) if damped else None,
     }
-    if not_told:
-        data["passivity_not_told"] = not_told
+    if no_passivity:
+        data["passivity_not_computed"] = no_passivity
     if scene.encoder is not None and not why_not_passive(replace(scene, velocity=None)):
         limits = quantised_limits(scene)
         by = binding(limits)
@@ -185,15 +185,15 @@ def answers(scene: Scene, wall: tuple[float, float] | None) -> dict[str, Any]:
     if wall is not None:
         K, B = wall
         best = scene.damping_for(K)
-        delays = scene.integrator == "hold"  # a simulator has no time between its steps
+        delays = scene.integrator == "hold"
         data["wall"] = {
             "K": K,
             "B": B,
             "stable": bool(scene.is_stable(K=K, B=B)),
             "stable_up_to": limit(scene.max_stable_stiffness(B)),
-            "passive_up_to": limit(scene.max_passive_stiffness(B)) if told else None,
-            "passive": None if not_told else bool(scene.is_passive(K=K, B=B)),
-            "passivity_margin": None if not_told else finite(scene.passivity_margin(K=K, B=B)),
+            "passive_up_to": limit(scene.max_passive_stiffness(B)) if damped else None,
+            "passive": None if no_passivity else bool(scene.is_passive(K=K, B=B)),
+            "passivity_margin": None if no_passivity else finite(scene.passivity_margin(K=K, B=B)),
             # both are None if no delay destabilises the wall, the first alone if it is not computed
             "delay_margin_s": finite(scene.delay_margin(K=K, B=B)) if delays else None,
             "max_delay_s": finite(scene.max_delay(K=K, B=B)) if delays else None,
@@ -202,6 +202,8 @@ def answers(scene: Scene, wall: tuple[float, float] | None) -> dict[str, Any]:
             "best_B": None if math.isnan(best.delay_margin) else finite(best),
             "best_delay_margin_s": finite(best.delay_margin) if best.intervals else None,
         }
+        if not delays:
+            data["wall"]["delay_margin_not_computed"] = "a simulator has no time between its steps"
     return data
 
 
@@ -250,7 +252,8 @@ def text(data: dict[str, Any]) -> str:
         at = "" if limit["frequency_hz"] is None else f", at {limit['frequency_hz']:.4g} Hz"
         return f"{limit['K']:.5g} {in_K} with B = {limit['B']:.4g} {in_B}{at}"
 
-    why = f"not computed ({data['passivity_not_told']})" if "passivity_not_told" in data else ""
+    no_passivity = data.get("passivity_not_computed")
+    why = f"not computed ({no_passivity})" if no_passivity else ""
     arm = f"arm              {data['arm']}; counts for stability, not for passivity"
     lines = [
         *([arm] if data["arm"] else []),
@@ -285,6 +288,8 @@ def _delay_said(wall: dict[str, Any]) -> str:
     margin, most = wall["delay_margin_s"], wall["max_delay_s"]
     if not wall["stable"]:
         return "none, because the wall is not stable"
+    if not_computed := wall.get("delay_margin_not_computed"):
+        return f"not computed ({not_computed})"
     if most is None:
         return "unlimited"
     if margin is None:

@@ -134,7 +134,7 @@ def verify(
         asked = wanted + whole() if as_recorded else wanted
         shipped = listing.needed(asked, others) if asked or not own else []
     if output is not None and output.resolve() in {path.resolve() for path in read(own, source)}:
-        refuse(f"-o {output}: is what is read here; give another file")
+        refuse(f"-o {output}: is the input file; give another one")
     if rocq is not None:
         if format is ListFormat.junit:
             refuse("--format junit: does not go with --rocq; give text or json")

@@ -782,9 +782,11 @@ class ArrayApi(Target):
     def notes(self, library: Library) -> list[str]:
         """What it makes of arrays, and what must not be done to it."""
         return [
-            "Arrays of float32 are worked on in single precision, all others in double: longer",
-            "floats are rounded. What is masked, or is no real number, is outside every domain.",
-            "Never compile it with fastmath=True (Numba) or its like: NaN would be lost.",
+            "Arrays of float32 are computed in single precision, all others in double precision;",
+            "longer floats are rounded. Masked elements, and values that are not real numbers, are",
+            "outside every domain.",
+            "Never compile it with fastmath=True (Numba) or a similar option, which assumes that",
+            "there is no NaN.",
         ]
 
     def usage(self, library: Library) -> str:

@@ -553,14 +553,14 @@ class C(Family):
         init, *judges = (f"{self._sampled_head(library, r)};" for r in library.sampled)
         return [
             "/*",
-            " * a device and its delay, computed once by the function below; its numbers are for",
-            " * the functions that take it. Outside the domain all are NaN.",
+            " * A device with its delay, which the function below samples once, for the functions",
+            " * that take it. Outside the domain all its numbers are NaN.",
             " */",
             f"typedef struct {{ {self.real} {', '.join(fields.values())}; }} {kind};",
             "",
             init,
             "",
-            "/* The functions of a wall and a sampled device, with the results of those above. */",
+            "/* Functions of a wall and a sampled device, with the same results as those above. */",
             *judges,
             "",
         ]
@@ -608,16 +608,16 @@ class C(Family):
         if library.sampled:
             given = ", ".join(s.name for s in library.sampled[0].arguments)
             lines += [
-                f"{name}_device_init(&sampled, {given}) samples a device once; then the functions",
-                f"{name}_device_... judge walls, with the same results as the plain ones.",
+                f"{name}_device_init(&sampled, {given}) samples a device once. Then the functions",
+                f"{name}_device_... judge walls, with the same results as those without device_.",
             ]
         if si:
             lines += [
-                f"{name}_si.h has the same functions of a device in SI units (kg, s, N/m, Ns/m)."
+                f"{name}_si.h has the same functions for a device in SI units (kg, s, N/m, Ns/m)."
             ]
         if "example.c" in si:
-            lines += ["example.c is a controller of 1 kHz with a wall below its limit."]
-        return [*lines, "C++ may include the headers, too."]
+            lines += ["example.c is a controller at 1 kHz with a wall below its limit."]
+        return [*lines, "The headers can also be included in C++."]
 
     def package(self, library: Library) -> dict[str, str]:
         """For CMake and pkg-config; the same in SI units, and a controller."""

@@ -114,12 +114,12 @@ class Javascript(Target):
         """How a page loads it."""
         name = library.name
         return [
-            "The folder is a package: after `npm install ./FOLDER`, `import` and `require` know",
-            f"{name}, and TypeScript its types; `npm test` there runs the self-test. Node loads",
-            f"{name}.mjs as it is, too. Browsers load a module from a server alone;",
-            f"{name}.script.js is the same as a script, for pages that are files: its functions",
-            f"are {name}.{library.public[0].name} and so on.",
-            "What is no number (text, null, an argument forgotten) is outside every domain.",
+            "The folder is a package: after `npm install ./FOLDER`, `import` and `require` find",
+            f"{name}, and TypeScript finds its types. `npm test` in the folder runs the self-test.",
+            f"Node can also load {name}.mjs directly. Browsers load a module only from a server.",
+            f"For pages opened as files, {name}.script.js contains the same functions as a script:",
+            f"{name}.{library.public[0].name} and so on.",
+            "An argument that is not a number (text, null, or missing) is outside every domain.",
         ]
 
     def usage(self, library: Library) -> str:

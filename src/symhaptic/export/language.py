@@ -396,7 +396,7 @@ def describe(form: Form, precision: Precision = DOUBLE) -> list[str]:
     if form.domain:
         lines.append(f"Domain: {', '.join(form.domain)}.")
     if form.arguments:
-        lines.append(f"{beyond(form)}, and where an argument is NaN or {sizes(form, precision)}.")
+        lines.append(f"{beyond(form)}, and if an argument is NaN or {sizes(form, precision)}.")
     return lines
 
 
@@ -407,13 +407,14 @@ def _result(name: str) -> str:
 
 
 def beyond(form: Form) -> str:
-    """What a function gives outside its domain.
+    """What a function returns outside its domain, which the line before states.
 
     >>> from symhaptic.forms.stable import form
     >>> beyond(form("is_stable")), beyond(form("discretize"))
-    ('False outside', 'NaN outside')
+    ('False outside it', 'NaN outside it')
     """
-    return f"{'NaN' if form.outside is sp.nan else str(form.outside)} outside"
+    domain = "it" if form.domain else "the domain"
+    return f"{'NaN' if form.outside is sp.nan else str(form.outside)} outside {domain}"
 
 
 def sizes(form: Form, precision: Precision) -> str:

@@ -75,11 +75,11 @@ class Microcontroller(C):
         """What it leaves out, and what it costs."""
         name = library.name
         lines = [
-            "All is in single precision; nothing asks for memory, and nothing touches errno: exp",
-            "is made of expm1f and scalbnf, whose errors the self-test allows for. Where the",
-            "processor has no fused multiplication, none is asked for. A function runs no longer",
-            "than the operations of this table take; differences are additions, minima and maxima",
-            "are comparisons, and functions are those of the mathematical library, each exp one.",
+            "The code computes in single precision, allocates no memory and does not set errno.",
+            "exp is computed from expm1f and scalbnf; the self-test allows for their errors. Fused",
+            "multiplication is used only if the processor has it. The table gives the largest",
+            "number of operations of a call. Differences count as additions, minima and maxima as",
+            "comparisons, and each exp as one function of the mathematical library.",
             "",
             f"| function | {' | '.join(KINDS)} | bytes |",
             f"|---|{'---|' * (len(KINDS) + 1)}",
@@ -91,8 +91,8 @@ class Microcontroller(C):
         return [
             *lines,
             "",
-            "Bytes: the code of one function alone, of a loop with all its parts, with all that it",
-            f"calls but the mathematical library ({MEASURED_WITH}).",
+            "Bytes: the code size of one function, for a loop with all its parts, including all",
+            f"functions that it calls except the mathematical library ({MEASURED_WITH}).",
             "",
             f"    {COMPILER} -std=c99 {' '.join([*CORTEX_M4, *LEAN])} -c {name}.c",
             "",

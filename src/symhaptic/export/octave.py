@@ -70,7 +70,7 @@ class Octave(Target):
         """As `help` shows it: the name and what it is, a call, the arguments and the domain."""
         first, *others = describe(form, self.precision)
         count = len(form.arguments)
-        arrays = ["Arguments are numbers, or arrays of one size beside numbers.", ""]
+        arrays = ["Arguments are numbers or arrays; all arrays must have the same size.", ""]
         return [
             f"{routine.name.upper()}  {first}", "", f"  {self._call(library, routine)}", "",
             *(f"  {line}" for line in others[:count]), *[""] * bool(count), *arrays * bool(count),
@@ -104,8 +104,9 @@ class Octave(Target):
     def notes(self, library: Library) -> list[str]:
         """What it takes."""
         return [
-            "Arguments are numbers, or arrays of one size beside numbers; results have that size.",
-            f"The folder that holds +{library.name} has to be on the path.",
+            "Arguments are numbers or arrays. All arrays must have the same size, and the results",
+            "have this size.",
+            f"The folder that contains +{library.name} must be on the path.",
         ]
 
     def usage(self, library: Library) -> str:

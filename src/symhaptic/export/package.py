@@ -130,22 +130,22 @@ def package(
 def notes(name: str, header: str) -> list[str]:
     """Lines of the README on it."""
     return [
-        "With -ffast-math, -Ofast or /fp:fast it does not compile: these take it that there is",
-        "no NaN, and rewrite sums. Nor does it for the x87 unit of 32-bit x86, which rounds each",
-        "step to more digits: compile with -msse2 -mfpmath=sse there. Never give clang",
-        "-funsafe-math-optimizations or -fassociative-math, which it does not report: a wall that",
-        "is not stable may then count as stable. The self-test fails with these two flags. Use",
-        "-ffp-contract=off where the processor has fused multiplication, as CMakeLists.txt does,",
-        "for the digits that were measured.",
+        "The code does not compile with -ffast-math, -Ofast or /fp:fast, because these flags",
+        "assume that there is no NaN, and reorder sums. It does not compile for the x87 unit of",
+        "32-bit x86 either, because this unit rounds each step to more digits: compile with",
+        "-msse2 -mfpmath=sse there. Never use -funsafe-math-optimizations or -fassociative-math",
+        "with clang, which does not report these two flags: an unstable wall may then count as",
+        "stable. The self-test fails with both flags. If the processor has fused multiplication,",
+        "use -ffp-contract=off, as CMakeLists.txt does, to get the measured accuracy.",
         "",
-        "CMake builds, tests and installs it; then `find_package` and pkg-config know it:",
+        "Build, test and install it with CMake; `find_package` and pkg-config then find it:",
         "",
         "```",
         "cmake -B build && cmake --build build && ctest --test-dir build",
         "cmake --install build --prefix WHERE",
         "```",
         "",
-        f"In CMakeLists.txt of a program that says `#include <{header}>`:",
+        f"In the CMakeLists.txt of a program with `#include <{header}>`:",
         "",
         "```",
         f"find_package({name} REQUIRED)",
@@ -269,7 +269,7 @@ typedef struct {
 %(members)s
 } %(name)s_device;
 
-/* Without a positive finite mass or period there is no device: all is outside of the domain. */
+/* Without a positive finite mass and period, all arguments are outside the domain. */
 static inline %(name)s_device %(name)s_device_checked(%(name)s_device device) {
     if (!(device.m > 0 && device.m <= %(most)s)) device.m = NAN;
     if (!(device.T > 0 && device.T <= %(most)s)) device.T = NAN;
@@ -282,8 +282,8 @@ static inline %(name)s_device %(name)s_device_checked(%(name)s_device device) {
 
 _DELAY = """\
 /*
- * The delay in sampling periods: whole where it misses a whole number by no more than decimals
- * do when they are rounded, so that 0.0003 s are three periods of 0.0001 s.
+ * The delay in sampling periods. It is an integer if it differs from this integer only by the
+ * rounding of decimals: 0.0003 s are exactly three periods of 0.0001 s.
  */
 static inline %(real)s %(name)s_periods(const %(name)s_device device) {
     const %(real)s d = device.t_d/device.T, whole = floor%(f)s(d + 0.5%(f)s);
@@ -294,9 +294,9 @@ static inline %(real)s %(name)s_periods(const %(name)s_device device) {
 
 _EXAMPLE = """\
 /*
- * A virtual wall in a loop of 1 kHz. Its limit is asked once, before the loop; what is built stays
- * well below it. A finger that pushes with 1 N, and a device that moves in steps of a microsecond,
- * stand for the encoder and the motor: replace read_position() and write_force() by yours.
+ * A virtual wall in a loop at 1 kHz. The limit is computed once, before the loop, and the wall
+ * stays well below it. A finger that pushes with 1 N and a device that moves in steps of 1 us
+ * replace the encoder and the motor: write your own read_position() and write_force().
  */
 #include <stdio.h>
 
@@ -320,7 +320,7 @@ static void write_force(const %(real)s force) {
     }
 }
 
-/* The farthest that the device has been in the last tenth of a second. */
+/* The largest deflection of the device in the last tenth of a second. */
 static %(real)s pushed_into(const %(real)s K, const %(real)s B, const int periods) {
     %(real)s last = 0, late = 0, farthest = 0;
     int i;
@@ -339,12 +339,12 @@ static %(real)s pushed_into(const %(real)s K, const %(real)s B, const int period
 int main(void) {
     %(real)s K, B, omega, below, above;
     %(name)s_si_max_stable_stiffness(device, &K, &B, &omega);
-    printf("K < %%g N/m, at B = %%g Ns/m; beyond, it rings at %%g 1/s\\n", (double)K, (double)B,
-           (double)omega);
+    printf("K < %%g N/m, at B = %%g Ns/m; beyond, it oscillates at %%g rad/s\\n", (double)K,
+           (double)B, (double)omega);
     if (!%(name)s_si_is_stable(K/2, B/2, device)) return 1;
     below = pushed_into(K/2, B/2, 2000);
     above = pushed_into(K*1.2%(f)s, B, 2000);
-    printf("after 2 s: %%g m into half of it, and %%g m into a fifth more\\n", (double)below,
+    printf("after 2 s: %%g m at half of the limit, %%g m at 1.2 times it\\n", (double)below,
            (double)above);
     return !(below < 0.01%(f)s && !(above < 1));
 }

@@ -50,8 +50,8 @@ def readme(library: Library, target: Target, count: int) -> str:
         *_contract(library),
         *target.notes(library),
         "",
-        f"The self-test reads {count} lines of vectors.txt, with numbers to the last digit, and",
-        "ends with status 1 where a value is farther off than allowed:",
+        f"The self-test reads {count} lines of vectors.txt, with exact hexadecimal numbers, and",
+        "ends with status 1 if an error is larger than allowed:",
         "",
         "```",
         *commands,
@@ -64,7 +64,7 @@ def readme(library: Library, target: Target, count: int) -> str:
     if meanings:
         lines += ["## The functions in these formulas", ""]
         lines += [
-            "Where a closed form is 0/0, or would lose digits, another one or a series is used.",
+            "Where a closed form is 0/0 or loses digits, another form or a series is used.",
             "",
         ]
         lines += [f"- {name}: {meaning}" for name, meaning in sorted(meanings.items())]
@@ -75,27 +75,27 @@ def readme(library: Library, target: Target, count: int) -> str:
 def _contract(library: Library) -> list[str]:
     """What holds outside of a domain, and what is no number."""
     lines = [
-        "Outside its domain, which every function asks first, and for NaN and infinite arguments,",
-        "a result is NaN.",
+        "Every function first checks its arguments. Outside its domain, and for NaN and infinite",
+        "arguments, a result is NaN.",
     ]
     names = {form.name for form in library.forms}
     if "is_stable" in names:
         lines += [
-            "is_stable is a truth value: true where the loop is stable, false where it",
-            "is not and wherever floats cannot tell.",
+            "is_stable is a truth value: true if the loop is stable, and false if it is not, or if",
+            "rounding errors do not allow a decision.",
         ]
     if "verdict" in names:
         lines += [
-            "verdict is 1 exactly where is_stable is true. It is 0 where the loop is certainly",
-            "not stable, and -1 where it is undecided: a root is so close to the unit circle that",
-            "the bounds of the rounding errors exclude neither side, or an argument is outside the",
-            "domain. Compare it with 1: as a truth value, -1 counts as yes.",
+            "verdict is 1 if and only if is_stable is true. It is 0 if the loop is certainly not",
+            "stable, and -1 if it is undecided: a root is so close to the unit circle that the",
+            "bounds on the rounding errors exclude neither side, or an argument is outside the",
+            "domain. Compare it with 1: as a truth value, -1 counts as true.",
         ]
     if "unstable_roots" in names:
         lines += [
-            "unstable_roots is a whole number, which is a float since a",
-            "delay may be long; outside the domain it is -1, never 0, and so it is where a root",
-            "is so close to the unit circle that rounding does not tell on which side.",
+            "unstable_roots is an integer, returned as a float because a delay may be long. It is",
+            "-1, never 0, outside the domain, and if a root is so close to the unit circle that",
+            "rounding errors do not allow a decision on which side it lies.",
         ]
     return [*textwrap.wrap(" ".join(lines), 88), ""]
 
@@ -118,9 +118,9 @@ def _derivatives(form: Form, results: tuple[tuple[str, Expr], ...]) -> list[str]
     by = form.title.rpartition("with respect to ")[2]
     lines = [
         "",
-        f"Derivatives with respect to {by}, of any real value, and made of functions without",
+        f"Derivatives with respect to {by}. They consist of functions without singularities, too:",
     ]
-    lines += ["singularities like the rest:", ""]
+    lines += [""]
     for name, expr in results:
         result, _, argument = name.rpartition("_by_")
         lines.append(
@@ -139,7 +139,7 @@ def _measured(form: Form, precision: Precision) -> list[str]:
     error = max(worst.error for worst in found)
     return [
         "",
-        f"Largest error measured: {error:g} units in the last place of the largest",
+        f"Largest measured error: {error:g} units in the last place of the largest",
         "term, in C, for the loop with all its parts (gcc, glibc, x86-64).",
         *(line for worst in found for line in textwrap.wrap(worst.remark, 80)),
     ]
@@ -154,7 +154,7 @@ def _formulas(form: Form) -> list[str]:
     parted = {WholePart(d): l, SomePart(d): epsilon, FractionalPart(d): epsilon}
     late = [(name, _side(expr, 1).xreplace(parted)) for name, expr in form.results]
     return ["For integer delays:", "", *_written(whole), "",
-            "Behind a fraction of a period, d = l + epsilon:", "", *_written(late)]  # fmt: skip
+            "For fractional delays, d = l + epsilon:", "", *_written(late)]  # fmt: skip
 
 
 def _side(expr: Expr, which: int) -> Expr:
@@ -193,8 +193,8 @@ def _polynomial(symbols: set[sp.Basic]) -> list[str]:
     beta_, delay = beta in symbols, d in symbols
     parts = Parts(gamma in symbols, delta in symbols, beta_, delay)
     characteristic = sp.latex(loop.closing(ANY, parts))
-    return ["The roots are those of the characteristic polynomial, of discretize's numbers,", "",
-            f"$$p(z) = {characteristic}$$"]  # fmt: skip
+    lines = ["The roots are those of the characteristic polynomial, with discretize's numbers,", ""]
+    return [*lines, f"$$p(z) = {characteristic}$$"]
 
 
 _WIDE = 900
@@ -216,7 +216,7 @@ def _function(form: Form, precision: Precision, proved: list[Goal]) -> list[str]
     if form.domain:
         lines += [f"Domain: {', '.join(form.domain)}.", ""]
     if form.arguments:
-        none = f"{beyond(form)}, and where an argument is NaN or {sizes(form, precision)}."
+        none = f"{beyond(form)}, and if an argument is NaN or {sizes(form, precision)}."
         lines += [none, ""]
     plain = form.plain or form
     lines += _formulas(plain)

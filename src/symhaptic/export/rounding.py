@@ -165,18 +165,21 @@ def told(found: list[Goal], precision: Precision) -> list[str]:
     if not found:
         return []
     _, low, high = FORMATS[precision.bits]
-    lines = ["", "Proved of the rounding of sums, products and quotients, by Gappa and Coq, in"]
-    lines += ["units in the last place of the largest term:", ""]
+    lines = [
+        "",
+        "Bounds on the rounding errors of sums, products and quotients, proved by Gappa and Coq,",
+    ]
+    lines += ["in units in the last place of the largest term:", ""]
     for goal in found:
         values = f"value{'s' * (len(goal.given) > 1)} of {', '.join(goal.given)}"
-        given = f", from the {values} on" if goal.given else ""
-        given += ", of integer delays" if goal.whole else ""
+        given = f", with the {values} taken as given" if goal.given else ""
+        given += ", for integer delays" if goal.whole else ""
         lines.append(f"- {goal.result}: at most {float(goal.bound):g}{given} ({goal.file})")
     return [
         *lines,
         "",
-        f"where each result on the way is from 2^{low} to 2^{high} in size, and compiled without",
-        "contraction to fma. All else is measured.",
+        f"These bounds hold if each intermediate result has a size from 2^{low} to 2^{high}, and",
+        "if the compiler does not contract to fma. All other errors are measured.",
     ]
 
 

@@ -49,7 +49,7 @@ def with_verdict(forms: Iterable[Form]) -> Iterator[Form]:
         yield form
         if form.name == "is_stable":
             ((_, verdict),) = form.results
-            title = "1 if the loop is stable, 0 if it is not, -1 if floats cannot tell"
+            title = "1 if the loop is stable, 0 if it is not, -1 if rounding leaves it undecided"
             results, outside = (("verdict", verdict),), sp.Integer(-1)
             yield replace(form, name="verdict", title=title, results=results, outside=outside)
 

@@ -135,7 +135,7 @@ def discretize_fractional(parts: Parts = FULL) -> Form:
     middle = device.together - (first + last)
     return Form(
         "discretize_fractional",
-        "the sampled device behind a delay of epsilon periods, "
+        "the sampled device with a delay of epsilon periods, "
         "P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m",
         symbols,
         (("m2", first), ("m1", middle), ("m0", last), ("a", device.a), ("e", device.e)),

@@ -181,13 +181,13 @@ class Gap(Entire, nargs=1, at_zero=SIXTH):
 
 
 class CosNext(Entire, nargs=2, at_zero=1):
-    """cos((k + 1) x), the rounding of the product put back"""
+    """cos((k + 1) x), without rounding the product"""
 
     definition = staticmethod(lambda k, x: cos((k + 1) * x))
 
 
 class SinNext(Entire, nargs=2, at_zero=0):
-    """sin((k + 1) x), the rounding of the product put back"""
+    """sin((k + 1) x), without rounding the product"""
 
     definition = staticmethod(lambda k, x: sin((k + 1) * x))
 

@@ -57,13 +57,13 @@ def fraction(delay: mpf) -> tuple[mpf, mpf]:
 
 
 class WholePart(ImplicitFunction, nargs=1):
-    """floor(d), the whole periods of a delay"""
+    """floor(d), the integer part of a delay"""
 
     exact = staticmethod(mpmath.floor)
 
 
 class FractionalPart(ImplicitFunction, nargs=1):
-    """d - floor(d), the fraction of a period in a delay"""
+    """d - floor(d), the fractional part of a delay"""
 
     @staticmethod
     def exact(d: mpf) -> mpf:
@@ -72,7 +72,7 @@ class FractionalPart(ImplicitFunction, nargs=1):
 
 
 class SomePart(ImplicitFunction, nargs=1):
-    """d - floor(d), or 1/2 where that is 0
+    """d - floor(d), or 1/2 if that is 0
 
     So a branch for fractions is defined for whole delays, too.
     """
@@ -137,8 +137,8 @@ def _peaks(values: list[mpf]) -> list[mpf]:
 
 
 class LargestRequiredDamping(ImplicitFunction, nargs=3):
-    """the largest damping that the wall (alpha, beta) behind a delay d needs at any angle, searched
-    for; infinite for alpha < 0
+    """the largest damping that the wall (alpha, beta) with a delay d requires at any angle, found
+    by a search; infinite for alpha < 0
 
     Of (alpha, beta, d).
     """
@@ -155,13 +155,13 @@ class LargestRequiredDamping(ImplicitFunction, nargs=3):
 
 
 class LargestWholeRequiredDamping(LargestRequiredDamping):
-    """the largest damping that the wall (alpha, beta) behind a whole delay d needs at any angle,
-    searched for; infinite for alpha < 0
+    """the largest damping that the wall (alpha, beta) with an integer delay d requires at any
+    angle, found by a search; infinite for alpha < 0
     """
 
 
 class Lifted(ImplicitFunction, nargs=3):
-    """x, times a power of two where the squares of the wall (alpha, beta) would vanish
+    """x, times a power of two if the squares of the wall (alpha, beta) would underflow
 
     Of (x, alpha, beta).
     """
@@ -173,8 +173,8 @@ class Lifted(ImplicitFunction, nargs=3):
 
 
 class CriticalAngle(ImplicitFunction, nargs=4):
-    """half of the angle at which the wall (alpha, beta) behind a delay of l + epsilon periods needs
-    most damping, searched for
+    """half of the angle at which the wall (alpha, beta) with a delay of l + epsilon periods
+    requires the most damping, found by a search
 
     Of (alpha, beta, l, epsilon).
     """
@@ -205,8 +205,8 @@ def _worst_at(theta: mpf, d: mpf) -> mpf:
 
 
 class Touching(ImplicitFunction, nargs=3):
-    """the angle x of the wall with (l + 1) alpha = cos(x), beta + alpha/2 = sin(x) that needs most
-    damping at theta, behind a delay of l + epsilon periods; NaN if there is none
+    """the angle x of the wall with (l + 1) alpha = cos(x), beta + alpha/2 = sin(x) that requires
+    the most damping at theta, with a delay of l + epsilon periods; NaN if there is none
 
     Of (theta, l, epsilon).
     """
@@ -218,7 +218,7 @@ class Touching(ImplicitFunction, nargs=3):
 
 
 class PassiveAngle(ImplicitFunction, nargs=2):
-    """the worst angle of the stiffest passive wall behind a delay of l + epsilon periods
+    """the worst angle of the passive wall of maximum stiffness, delay l + epsilon periods
 
     Of (l, epsilon).
     """

@@ -34,7 +34,7 @@ def _normalised(parts: Parts, expr: Expr) -> Expr:
 
 def _needs_damping(parts: Parts, name: str) -> None:
     if not parts.damping:
-        raise NoForm(f"{name}: a scene without damping has no passive walls to speak of")
+        raise NoForm(f"{name}: a scene without damping has no passive walls with stiffness")
 
 
 def passivity_margin_at(parts: Parts = FULL) -> Form:
@@ -62,8 +62,8 @@ def passivity_margin_at(parts: Parts = FULL) -> Form:
 
     return Form(
         "passivity_margin_at",
-        "physical damping minus the damping that the wall needs at the angle theta = omega T; "
-        "a wall with alpha >= 0 is passive where this is not negative at any angle",
+        "physical damping minus the damping that the wall requires at the angle theta = omega T; "
+        "a wall with alpha >= 0 is passive if this is not negative at any angle",
         symbols,
         (("margin", margin),),
         equal,
@@ -93,8 +93,8 @@ def passivity_margin(parts: Parts = FULL) -> Form:
         largest, equal = LargestRequiredDamping(alpha, beta, d), required_damping.derived
     return Form(
         "passivity_margin",
-        "physical damping minus the damping that the wall needs at its worst angle; the wall is "
-        "passive where it is not negative",
+        "physical damping minus the damping that the wall requires at its worst angle; the wall "
+        "is passive if this is not negative",
         symbols,
         (("margin", delta - largest),),
         equal,
@@ -148,8 +148,8 @@ def passivity_boundary(parts: Parts = FULL) -> Form:
         equal,
         domain(
             symbols,
-            "NaN beyond the angle where alpha is 0: pi/(d + 1) for whole delays",
-            "for d <= 2/9 the curve goes on to pi",
+            "NaN beyond the angle where alpha is 0: pi/(d + 1) for integer delays",
+            "for d <= 2/9 the curve continues to pi",
         ),
     )
 

@@ -16,15 +16,15 @@ _NEAR = mpf(10) ** -9
 
 
 class WholeRoots(Meant, nargs=10):
-    """roots outside the unit circle of a loop with wall (alpha, beta) and whole delay d, counted
-    from where device and wall are equally strong on the circle
+    """number of roots outside the unit circle, with the wall (alpha, beta) and an integer delay d,
+    counted at the angles at which the terms of device and wall have the same magnitude
 
     Of :data:`ARGUMENTS`.
     """
 
 
 class FractionalRoots(Meant, nargs=12):
-    """roots outside the unit circle behind a delay of l whole periods and a fraction, whose device
+    """number of roots outside the unit circle, with a delay of l periods and a fraction; the device
     is (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e))
 
     Of :data:`FRACTIONAL_ARGUMENTS`.
@@ -32,8 +32,8 @@ class FractionalRoots(Meant, nargs=12):
 
 
 class Stable(Meant, nargs=5):
-    """1 if roots is 0, alpha > -gamma, and the device is not left swinging, 0 if it is certain that
-    this is not so, else -1
+    """1 if roots is 0, alpha > -gamma, and no oscillation of the device persists, 0 if this is
+    certainly false, otherwise -1
 
     Of (roots, alpha, beta, gamma, delta).
     """

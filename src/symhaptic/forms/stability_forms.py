@@ -157,7 +157,7 @@ def max_stable_stiffness(parts: Parts = FULL) -> Form:
                 (f"delta = 0 or delta >= 5 ulp(1) if {far} > pi",)
                 * (parts.stiffness and parts.damping)
             ),
-            "NaN elsewhere, and where no wall is stable or none that is a little softer",
+            "NaN elsewhere, and if no wall is stable, or none that is slightly softer",
         ),
         held=("alpha",),
     )
@@ -183,7 +183,7 @@ def stability_conditions(parts: Parts = FULL, delay: int | None = None) -> Form:
 
     return Form(
         "stability_conditions",
-        f"numbers that are all positive exactly where the loop is stable, d = {steps}",
+        f"numbers that are all positive if and only if the loop is stable, d = {steps}",
         tuple(s for s in (alpha, beta, gamma, delta) if any(c.has(s) for c in found)),
         tuple((f"c{i}", c) for i, c in enumerate(found)),
         equal,
@@ -219,7 +219,7 @@ def _counting(parts: Parts, name: str, title: str, which: int, outside: sp.Basic
     sizes = " + ".join(f"|{s}|" if s in (alpha, beta) else s.name for s in symbols if s in faint)
     largest = "max(|alpha|, gamma)" if parts.stiffness else "|alpha|"
     seen = f"no wall with {sizes} < 2^-400 or 0 < {largest} < 2^-400 (single: 2^-40)"
-    hidden = ["delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi"]
+    hidden = ["delta = 0 or delta >= 5 ulp(1) if sqrt(gamma) rounds to a multiple of pi"]
     return Form(
         name,
         title,

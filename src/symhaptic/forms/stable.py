@@ -140,14 +140,14 @@ def of_whole_delays(form: Form) -> Form:
     """
     margin = any(isinstance(expr, DelayMargin) for _, expr in form.results)
     if epsilon in form.arguments or margin:
-        raise NoForm(f"{form.name}: is about a fraction of a period, which whole delays have not")
+        raise NoForm(f"{form.name}: is for fractional delays only; leave --whole-delays out")
     if d not in form.arguments:
         return form
     return replace(
         form,
         results=tuple((name, _whole(expr)) for name, expr in form.results),
         smooth=tuple(map(_whole, form.smooth)),
-        domain=(*form.domain, "d whole"),
+        domain=(*form.domain, "d an integer"),
         whole=True,
     )
 

@@ -178,7 +178,7 @@ static inline Poles real_poles(const Motion *motion, REAL gamma) {
     return (Poles){{whole, p_low}, pair_quot((Pair){gamma, R(0.0)}, (Pair){whole, p_low})};
 }
 
-// of a creeping device the pole p, exp and mean of the other one and of their distance
+// of an overdamped device the pole p, exp and mean of the other one and of their distance
 static inline Creeping creeping_device(const Motion *motion, REAL gamma) {
     const Poles poles = real_poles(motion, gamma);
     const Fading fading = fading_pair(poles.q);
@@ -260,7 +260,7 @@ static inline REAL plant_n0_near(Pair decayed, REAL gamma, REAL delta) {
     return scaled_sum(pair_square(decayed), plant_n0_series(gamma, delta), R(0.5));
 }
 
-// n0 of a creeping device
+// n0 of an overdamped device
 static inline REAL plant_n0_creep(const Motion *motion, const Creeping *creeping, Pair decayed,
     REAL gamma, REAL delta) {
     if (motion->reach < R(0.5625)) { return plant_n0_near(decayed, gamma, delta); }
@@ -276,7 +276,7 @@ static inline Pair pair_sum(Pair x, Pair y) {
     return (Pair){diff.hi, lost + y.lo};
 }
 
-// n0 of a swinging device
+// n0 of an oscillating device
 static inline REAL plant_n0_swing(const Motion *motion, const Swinging *swinging, Pair decayed,
     REAL gamma) {
     if (motion->reach < R(0.5625)) { return plant_n0_near(decayed, gamma, R(2.0)*motion->half); }
@@ -297,7 +297,7 @@ static inline REAL plant_n1_series(REAL h, REAL w) {
     return h*total + two*w;
 }
 
-// n1 of a creeping device
+// n1 of an overdamped device
 static inline REAL plant_n1_creep(const Motion *motion, const Creeping *creeping, Pair decayed) {
     if (motion->reach < R(0.5625)) {
         return scaled_sum(decayed, plant_n1_series(motion->half, motion->w.hi), R(0.5));
@@ -306,7 +306,7 @@ static inline REAL plant_n1_creep(const Motion *motion, const Creeping *creeping
         creeping->p));
 }
 
-// n1 of a swinging device
+// n1 of an oscillating device
 static inline REAL plant_n1_swing(const Motion *motion, const Swinging *swinging, Pair decayed,
     REAL gamma) {
     if (motion->reach < R(0.5625)) {
@@ -446,7 +446,7 @@ static inline Turns whole_turns(float half, Pair square, float root, float stiff
 }
 #endif
 
-// of a swinging device exp(-half), cos(root), sin(root)/root and what is near whole turns
+// exp(-half), cos(root), sin(root)/root and nearby turns of an oscillating device
 static inline Swinging swinging_device(const Motion *motion, REAL gamma) {
     const Wave wave = waving_pair(motion->w, motion->root);
     const Turns turns = whole_turns(motion->half, motion->w, motion->root, gamma);
@@ -484,7 +484,7 @@ static inline REAL numerator_at_one_series(REAL h, REAL w) {
     return inner*w + total*y;
 }
 
-// n1 + n0 of a creeping device
+// n1 + n0 of an overdamped device
 static inline REAL numerator_at_one_creep(const Motion *motion, const Creeping *creeping) {
     if (motion->reach < R(1.0)) {
         return R(2.0)*scaled_sum((Pair){M(exp)(-motion->half), R(0.0)},
@@ -501,7 +501,7 @@ static inline Pair half_squares(REAL half, REAL envelope, REAL wave, REAL back) 
         (Pair){grown*grown, R(0.0)});
 }
 
-// n1 + n0 of a swinging device
+// n1 + n0 of an oscillating device
 static inline REAL numerator_at_one_swing(const Motion *motion, const Swinging *swinging,
     REAL gamma) {
     if (motion->reach < R(1.0)) {
@@ -561,13 +561,13 @@ static inline REAL plant_n1(REAL gamma, REAL delta) {
 // (1 - exp(-x))/x
 static inline REAL decay(REAL x) { return (x == R(0.0) ? R(1.0) : -M(expm1)(-x)/x); }
 
-// 1 + a + e of a creeping device
+// 1 + a + e of an overdamped device
 static inline REAL denominator_at_minus_one_creep(const Creeping *creeping) {
     return rounded(pair_prod(one_plus(creeping->slow),
         one_plus(pair_prod(creeping->slow, creeping->ratio))));
 }
 
-// 1 + a + e of a swinging device
+// 1 + a + e of an oscillating device
 static inline REAL denominator_at_minus_one_swing(const Motion *motion,
     const Swinging *swinging) {
     const Pair prod = wide_prod(R(2.0)*swinging->envelope, swinging->even);
@@ -603,7 +603,7 @@ static inline float numerator_gap_series(float h, float w) {
 }
 #endif
 
-// (n1 - n0)/delta of a creeping device
+// (n1 - n0)/delta of an overdamped device
 static inline REAL numerator_gap_creep(const Motion *motion, const Creeping *creeping,
     REAL delta) {
     if (motion->reach < R(1.0)) {
@@ -617,7 +617,7 @@ static inline REAL numerator_gap_creep(const Motion *motion, const Creeping *cre
     return (low + top)/whole;
 }
 
-// (n1 - n0)/delta of a swinging device
+// (n1 - n0)/delta of an oscillating device
 static inline REAL numerator_gap_swing(const Motion *motion, const Swinging *swinging,
     REAL gamma, REAL delta) {
     if (motion->reach < R(1.0)) {
@@ -972,7 +972,7 @@ static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, f
 #endif
 
 #ifndef SINGLE
-// roots outside the unit circle behind a fractional delay, -1 where that is not certain
+// roots outside the unit circle with a fractional delay, -1 if that is not certain
 static inline double fractional_roots(double alpha, double beta, double d, double m2, double m0,
     double gamma, double at_minus_one, double loss, double together, double apart, double across,
     double delta) {
@@ -1060,7 +1060,7 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
     return (total2 >= 0.0 ? total2 : -1.0);
 }
 #else
-// roots outside the unit circle behind a fractional delay, -1 where that is not certain
+// roots outside the unit circle with a fractional delay, -1 if that is not certain
 static inline float fractional_roots(float alpha, float beta, float d, float m2, float m0,
     float gamma, float at_minus_one, float loss, float together, float apart, float across,
     float delta) {
@@ -1150,7 +1150,7 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
 }
 #endif
 
-// m2 - m1 + m0 of the device behind a fraction of a period
+// m2 - m1 + m0 of the device with a fractional delay
 static inline REAL fractional_numerator_gap(REAL epsilon, Pair x, Pair y, REAL first,
     REAL last, REAL turned) {
     const Pair prod3 = pair_prod(wide_prod(epsilon, one_minus((Pair){epsilon, R(0.0)})),
@@ -1159,7 +1159,7 @@ static inline REAL fractional_numerator_gap(REAL epsilon, Pair x, Pair y, REAL f
         (Pair){R(2.0)*prod3.hi, R(2.0)*prod3.lo}), (Pair){last, R(0.0)}), (Pair){turned, R(0.0)}));
 }
 
-// m2 - m1 + m0 of a device that swings, hardly damped
+// m2 - m1 + m0 of a lightly damped oscillating device
 static inline REAL half_turned_swing(REAL gamma, REAL delta, REAL part) {
     const Motion motion = device_motion(gamma, delta);
     const REAL angle = R(0.5)*motion.root, angle_low = R(0.5)*root_miss(motion.w, motion.root);
@@ -1183,7 +1183,7 @@ static inline REAL half_turned_swing(REAL gamma, REAL delta, REAL part) {
     return R(4.0)*total2*M(exp)(-motion.half)/gamma;
 }
 
-// m2 - m1 + m0 behind a fraction of a period
+// m2 - m1 + m0 with a fractional delay
 static inline REAL half_turned(REAL found, REAL gamma, REAL delta, REAL part) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.half < R(0.25) && motion.root > R(3.0) && motion.w.hi < R(0.0)) {
@@ -1212,7 +1212,7 @@ static inline Device4 device_kick_kick_low_n_gap_n0_n1_anew(REAL gamma, REAL del
 }
 KEEP(Device4, device_kick_kick_low_n_gap_n0_n1)
 
-// m2 - m1 + m0, m2, an impulse's way in the rest of the period, m0, behind a fraction of it
+// m2 - m1 + m0, m2, displacement by an impulse in the rest of the period, m0
 static inline Delayed late_device_anew(REAL gamma, REAL delta, REAL part) {
     const REAL t0 = R(1.0) - part, t1 = t0*t0, t2 = gamma*t1, t3 = delta*t0;
     const Device4 device = device_kick_kick_low_n_gap_n0_n1(t2, t3);
@@ -1226,7 +1226,7 @@ static inline Delayed late_device_anew(REAL gamma, REAL delta, REAL part) {
 }
 KEEP_PART(Delayed, late_device)
 
-// 1 where the loop is stable, 0 where it is not, -1 where that is not certain
+// 1 if the loop is stable, 0 if it is not, -1 if that is not certain
 static inline REAL stable(REAL roots, REAL alpha, REAL beta, REAL gamma, REAL delta) {
     const REAL swing = M(sqrt)(gamma);
     const REAL yes = !(alpha == R(0.0) && beta == R(0.0) && delta == R(0.0) && gamma > R(0.0)) &&
@@ -1782,7 +1782,7 @@ static inline REAL max_stiffness_angle(REAL gamma, REAL delta, REAL d, REAL l,
     return NAN;
 }
 
-// the damping that the wall needs at the angle theta, at a fraction of a period
+// the damping that the wall requires at the angle theta, for a fractional delay
 static inline REAL required_at(REAL alpha, REAL beta, REAL l, REAL epsilon,
     REAL theta) {
     const CosSin cossin = next_wave(l, theta);
@@ -1806,7 +1806,7 @@ static inline REAL required_at(REAL alpha, REAL beta, REAL l, REAL epsilon,
     return (n < R(0.0) ? more : whole_need)/lift;
 }
 
-// what straight motions need at an angle behind k whole periods
+// what straight motions require at an angle, with a delay of k periods
 static inline REAL straight_at(REAL stiffness, REAL damping, REAL k, REAL angle) {
     const REAL half = R(0.5)*angle;
     return rounded(pair_diff(wide_prod(stiffness,
@@ -1853,7 +1853,7 @@ static inline REAL sinc(REAL x) {
     return M(sin)(x)/x;
 }
 
-// the damping that the wall needs at the angle 2 psi
+// the damping that the wall requires at the angle 2 psi
 static inline REAL damping_at(REAL alpha, REAL beta, REAL l, REAL epsilon, REAL psi) {
     const REAL early = R(0.5)*alpha*(R(2.0)*l + R(1.0))*sinc(psi*(R(2.0)*l + R(1.0)))/sinc(psi) -
         beta*
@@ -1917,7 +1917,7 @@ static inline float steepness(float alpha, float beta, float l, float epsilon, f
 }
 #endif
 
-// half of the angle at which the wall needs most damping
+// half of the angle at which the wall requires most damping
 static inline REAL worst_angle(REAL alpha, REAL beta, REAL l, REAL epsilon) {
     const REAL size = M(fabs)(alpha) + M(fabs)(beta), whole = size == R(0.0) ? R(1.0) : size;
     const REAL stiffness = alpha/whole, damping = beta/whole, low = R(0.0);
@@ -1943,7 +1943,7 @@ static inline REAL worst_angle(REAL alpha, REAL beta, REAL l, REAL epsilon) {
     return (M(fabs)(fa) < M(fabs)(fb) ? a : b);
 }
 
-// the damping that the wall needs at its worst angle
+// the damping that the wall requires at its worst angle
 static inline REAL largest_required_damping(REAL alpha, REAL beta, REAL d) {
     if (alpha < R(0.0)) { return INFINITY; }
     const REAL whole = M(floor)(d), part = d - whole;
@@ -1983,7 +1983,7 @@ static inline REAL spread(REAL k, REAL x) {
     return (order*M(sin)(x) - R(2.0)*next_wave(k, x).cosine*next_wave(k, x).sine)/(x*x*x);
 }
 
-// what straight motions need at a whole delay of k periods
+// what straight motions require with an integer delay of k periods
 static inline REAL straight(REAL stiffness, REAL damping, REAL k, REAL angle) {
     const REAL order = R(2.0)*k + R(1.0);
     return rounded(pair_diff(wide_prod(stiffness,

@@ -483,7 +483,7 @@ def real_poles(xp, gamma, half, w, w_low, root):
 
 
 def creeping_device(xp, gamma, half, w, w_low, root):
-    """of a creeping device the pole p, exp and mean of the other one and of their distance"""
+    """of an overdamped device the pole p, exp and mean of the other one and of their distance"""
     p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
     fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
     root_low = root_miss(xp, w, w_low, root)
@@ -577,7 +577,7 @@ def plant_n0_near(xp, decayed, decayed_low, gamma, delta):
 
 def plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far,
     far_low, decayed, decayed_low, gamma, delta):
-    """n0 of a creeping device"""
+    """n0 of an overdamped device"""
     def no(far, far_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low):
         return rounded(xp, *pair_prod(xp, slow, slow_low,
             *pair_quot(xp, *pair_diff(xp, far, far_low,
@@ -597,7 +597,7 @@ def pair_sum(xp, x, x_low, y, y_low):
 
 def plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low, near, sunk, decayed,
     decayed_low, gamma):
-    """n0 of a swinging device"""
+    """n0 of an oscillating device"""
     def yes(decayed, decayed_low, gamma, half):
         return plant_n0_near(xp, decayed, decayed_low, gamma, 2.0*half)
 
@@ -630,7 +630,7 @@ def plant_n1_series(xp, h, w):
 
 def plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, far, far_low,
     decayed, decayed_low):
-    """n1 of a creeping device"""
+    """n1 of an overdamped device"""
     def yes(decayed, decayed_low, half, w):
         return scaled_sum(xp, decayed, decayed_low, plant_n1_series(xp, half, w), 0.5)
 
@@ -644,7 +644,7 @@ def plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
 
 def plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low, near, risen,
     decayed, decayed_low, gamma):
-    """n1 of a swinging device"""
+    """n1 of an oscillating device"""
     def yes(decayed, decayed_low, half, w):
         return scaled_sum(xp, decayed, decayed_low, plant_n1_series(xp, half, w), 0.5)
 
@@ -776,7 +776,7 @@ def whole_turns(xp, half, square, square_low, root, stiff):
 
 
 def swinging_device(xp, gamma, half, w, w_low, root):
-    """of a swinging device exp(-half), cos(root), sin(root)/root and what is near whole turns"""
+    """exp(-half), cos(root), sin(root)/root and nearby turns of an oscillating device"""
     even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
     near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
     return xp.exp(-half), even, even_low, odd, odd_low, near, risen, sunk, moved
@@ -829,7 +829,7 @@ def numerator_at_one_series(xp, h, w):
 
 def numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, ratio,
     ratio_low):
-    """n1 + n0 of a creeping device"""
+    """n1 + n0 of an overdamped device"""
     def yes(half, w):
         return 2.0*scaled_sum(xp, xp.exp(-half), 0.0, numerator_at_one_series(xp, half, w), 0.5)
 
@@ -849,7 +849,7 @@ def half_squares(xp, half, envelope, wave, back):
 
 
 def numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved, gamma):
-    """n1 + n0 of a swinging device"""
+    """n1 + n0 of an oscillating device"""
     def yes(envelope, half, w):
         return 2.0*scaled_sum(xp, envelope, 0.0, numerator_at_one_series(xp, half, w), 0.5)
 
@@ -951,13 +951,13 @@ def decay(xp, x):
 
 
 def denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low):
-    """1 + a + e of a creeping device"""
+    """1 + a + e of an overdamped device"""
     return rounded(xp, *pair_prod(xp, *one_plus(xp, slow, slow_low),
         *one_plus(xp, *pair_prod(xp, slow, slow_low, ratio, ratio_low))))
 
 
 def denominator_at_minus_one_swing(xp, half, w, w_low, root, envelope, even, even_low):
-    """1 + a + e of a swinging device"""
+    """1 + a + e of an oscillating device"""
     prod, prod_low = wide_prod(xp, 2.0*envelope, even, even_low)
 
     def yes(half, prod, prod_low):
@@ -988,7 +988,7 @@ def numerator_gap_series(xp, h, w):
 
 
 def numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low, ratio, far, far_low, delta):
-    """(n1 - n0)/delta of a creeping device"""
+    """(n1 - n0)/delta of an overdamped device"""
     def yes(half, w):
         return scaled_sum(xp, xp.exp(-half), 0.0, numerator_gap_series(xp, half, w),
             0.16666666666666666)
@@ -1006,7 +1006,7 @@ def numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low, ratio, far,
 
 
 def numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma, delta):
-    """(n1 - n0)/delta of a swinging device"""
+    """(n1 - n0)/delta of an oscillating device"""
     def yes(envelope, half, w):
         return scaled_sum(xp, envelope, 0.0, numerator_gap_series(xp, half, w), 0.16666666666666666)
 
@@ -1345,7 +1345,7 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
 
 def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together, apart,
     across, delta):
-    """roots outside the unit circle behind a fractional delay, -1 where that is not certain"""
+    """roots outside the unit circle with a fractional delay, -1 if that is not certain"""
     (
         number, number2, number3, number4, number5, number6, number7, number8, number9, number10,
             number11
@@ -1490,7 +1490,7 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, toge
 
 
 def fractional_numerator_gap(xp, epsilon, x, x_low, y, y_low, first, last, turned):
-    """m2 - m1 + m0 of the device behind a fraction of a period"""
+    """m2 - m1 + m0 of the device with a fractional delay"""
     prod2, prod_low2 = pair_prod(xp, *wide_prod(xp, epsilon, *one_minus(xp, epsilon, 0.0)),
         *pair_prod(xp, x, x_low, y, y_low))
     return rounded(xp, *pair_sum(xp, *pair_diff(xp,
@@ -1498,7 +1498,7 @@ def fractional_numerator_gap(xp, epsilon, x, x_low, y, y_low, first, last, turne
 
 
 def half_turned_swing(xp, gamma, delta, part):
-    """m2 - m1 + m0 of a device that swings, hardly damped"""
+    """m2 - m1 + m0 of a lightly damped oscillating device"""
     half, w, w_low, root, _ = device_motion(xp, gamma, delta)
     angle = 0.5*root
     angle_low = 0.5*root_miss(xp, w, w_low, root)
@@ -1536,7 +1536,7 @@ def half_turned_swing(xp, gamma, delta, part):
 
 
 def half_turned(xp, found, gamma, delta, part):
-    """m2 - m1 + m0 behind a fraction of a period"""
+    """m2 - m1 + m0 with a fractional delay"""
     half, w, _, root, _ = device_motion(xp, gamma, delta)
     return select(xp, (half < 0.25) & (root > 3.0) & (w < 0.0),
         lambda *v: half_turned_swing(xp, *v), (gamma, delta, part), lambda found: found, (found,))
@@ -1576,7 +1576,7 @@ def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
 
 
 def late_device(xp, gamma, delta, part):
-    """m2 - m1 + m0, m2, an impulse's way in the rest of the period, m0, behind a fraction of it"""
+    """m2 - m1 + m0, m2, displacement by an impulse in the rest of the period, m0"""
     t0 = 1.0 - part
     t1 = (t0*t0)
     t2 = gamma*t1
@@ -1596,7 +1596,7 @@ def late_device(xp, gamma, delta, part):
 
 
 def stable(xp, roots, alpha, beta, gamma, delta):
-    """1 where the loop is stable, 0 where it is not, -1 where that is not certain"""
+    """1 if the loop is stable, 0 if it is not, -1 if that is not certain"""
     number, number2 = (5.960464477539062e-07, 4194304.0) if roots.dtype == xp.float32 else (
         1.1102230246251565e-15, 2251799813685248.0)
     swing = square_root(xp, gamma)
@@ -2284,7 +2284,7 @@ def max_stiffness_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_mi
 
 
 def required_at(xp, alpha, beta, l, epsilon, theta):
-    """the damping that the wall needs at the angle theta, at a fraction of a period"""
+    """the damping that the wall requires at the angle theta, for a fractional delay"""
     number, number2 = (9.094947017729282e-13,
         1.2089258196146292e+24) if alpha.dtype == xp.float32 else (3.8725919148493183e-121,
         6.668014432879854e+240)
@@ -2315,7 +2315,7 @@ def required_at(xp, alpha, beta, l, epsilon, theta):
 
 
 def straight_at(xp, stiffness, damping, k, angle):
-    """what straight motions need at an angle behind k whole periods"""
+    """what straight motions require at an angle, with a delay of k periods"""
     half = 0.5*angle
     return rounded(xp, *pair_diff(xp, *wide_prod(xp, stiffness,
         *pair_quot(xp, sin_next(xp, 2.0*k, half), xp.full_like(half, 0.0), 2.0*xp.sin(half),
@@ -2346,7 +2346,7 @@ def sinc(xp, x):
 
 
 def damping_at(xp, alpha, beta, l, epsilon, psi):
-    """the damping that the wall needs at the angle 2 psi"""
+    """the damping that the wall requires at the angle 2 psi"""
     early = (
         0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*
         cos_next(xp, l, 2.0*psi)
@@ -2423,7 +2423,7 @@ def steepness(xp, alpha, beta, l, epsilon, psi):
 
 
 def worst_angle(xp, alpha, beta, l, epsilon):
-    """half of the angle at which the wall needs most damping"""
+    """half of the angle at which the wall requires most damping"""
     number, flat = (3.141592502593994, 7.62939453125e-06) if alpha.dtype == xp.float32 else (
         3.141592653589793, 4.656612873077393e-10)
     size = xp.abs(alpha) + xp.abs(beta)
@@ -2439,7 +2439,7 @@ def worst_angle(xp, alpha, beta, l, epsilon):
 
 
 def largest_required_damping(xp, alpha, beta, d):
-    """the damping that the wall needs at its worst angle"""
+    """the damping that the wall requires at its worst angle"""
     number, number2 = (9.094947017729282e-13,
         1.2089258196146292e+24) if alpha.dtype == xp.float32 else (3.8725919148493183e-121,
         6.668014432879854e+240)
@@ -2491,7 +2491,7 @@ def spread(xp, k, x):
 
 
 def straight(xp, stiffness, damping, k, angle):
-    """what straight motions need at a whole delay of k periods"""
+    """what straight motions require with an integer delay of k periods"""
     order = 2.0*k + 1.0
     return rounded(xp, *pair_diff(xp, *wide_prod(xp, stiffness,
         *pair_quot(xp, *two_prod(xp, order, sinc(xp, angle*order)), 2.0*sinc(xp, angle),
@@ -2587,7 +2587,7 @@ def discretize(gamma, delta):
     delta: physical damping, b T/m [1]
     Results: n1; n0; a, trace of the sampled plant [1]; e, determinant of the sampled plant [1].
     Domain: gamma >= 0, delta >= 0.
-    NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.
+    NaN outside it, and if an argument is NaN or larger than 1e70 or gamma larger than 1e15.
     """
     xp, gamma, delta = arrays(gamma, delta)
 
@@ -2600,8 +2600,8 @@ def discretize(gamma, delta):
 
 @by_value
 def discretize_fractional(gamma, delta, epsilon):
-    """the sampled device behind a delay of epsilon periods, P(z) = (m2 z^2 + m1 z + m0)/(z (z^2
-    - a z + e)) in units of T^2/m.
+    """the sampled device with a delay of epsilon periods, P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 -
+    a z + e)) in units of T^2/m.
 
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
@@ -2609,7 +2609,7 @@ def discretize_fractional(gamma, delta, epsilon):
     Results: m2; m1; m0; a, trace of the sampled plant [1]; e, determinant of the sampled plant
     [1].
     Domain: gamma >= 0, delta >= 0, 0 <= epsilon < 1.
-    NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.
+    NaN outside it, and if an argument is NaN or larger than 1e70 or gamma larger than 1e15.
     """
     xp, gamma, delta, epsilon = arrays(gamma, delta, epsilon)
 
@@ -2642,10 +2642,10 @@ def is_stable(alpha, beta, gamma, delta, d):
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is,
-    rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 <
-    max(|alpha|, gamma) < 2^-400 (single: 2^-40).
-    False outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than
+    Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) if sqrt(gamma) rounds
+    to a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 < max(|alpha|,
+    gamma) < 2^-400 (single: 2^-40).
+    False outside it, and if an argument is NaN or larger than 1e70 or gamma or d larger than
     1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
@@ -2666,10 +2666,10 @@ def unstable_roots(alpha, beta, gamma, delta, d):
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is,
-    rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 <
-    max(|alpha|, gamma) < 2^-400 (single: 2^-40).
-    -1 outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.
+    Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) if sqrt(gamma) rounds
+    to a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 < max(|alpha|,
+    gamma) < 2^-400 (single: 2^-40).
+    -1 outside it, and if an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
 
@@ -2710,7 +2710,7 @@ def stability_boundary(theta, gamma, delta, d):
     d: delay in sampling periods, t_d/T [1]
     Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1].
     Domain: 0 < theta < pi, gamma >= 0, delta >= 0, d >= 0.
-    NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than
+    NaN outside it, and if an argument is NaN or larger than 1e70 or gamma or d larger than
     1e15.
     """
     xp, theta, gamma, delta, d = arrays(theta, gamma, delta, d)
@@ -2754,9 +2754,9 @@ def max_stable_stiffness(gamma, delta, d):
     Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1]; theta,
     angle on the unit circle, omega T [1].
     Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1,
-    delta = 0 or delta >= 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and where no wall
-    is stable or none that is a little softer.
-    NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than
+    delta = 0 or delta >= 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and if no wall is
+    stable, or none that is slightly softer.
+    NaN outside it, and if an argument is NaN or larger than 1e70 or gamma or d larger than
     1e15.
     """
     xp, gamma, delta, d = arrays(gamma, delta, d)
@@ -2825,8 +2825,8 @@ def max_stable_stiffness(gamma, delta, d):
 
 @by_value
 def passivity_margin_at(theta, alpha, beta, delta, d):
-    """physical damping minus the damping that the wall needs at the angle theta = omega T; a
-    wall with alpha >= 0 is passive where this is not negative at any angle.
+    """physical damping minus the damping that the wall requires at the angle theta = omega T; a
+    wall with alpha >= 0 is passive if this is not negative at any angle.
 
     theta: angle on the unit circle, omega T [1]
     alpha: virtual stiffness, K T^2/m [1]
@@ -2834,7 +2834,7 @@ def passivity_margin_at(theta, alpha, beta, delta, d):
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: 0 < theta < pi, delta >= 0, d >= 0.
-    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
+    NaN outside it, and if an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, theta, alpha, beta, delta, d = arrays(theta, alpha, beta, delta, d)
 
@@ -2856,15 +2856,15 @@ def passivity_margin_at(theta, alpha, beta, delta, d):
 
 @by_value
 def passivity_margin(alpha, beta, delta, d):
-    """physical damping minus the damping that the wall needs at its worst angle; the wall is
-    passive where it is not negative.
+    """physical damping minus the damping that the wall requires at its worst angle; the wall is
+    passive if this is not negative.
 
     alpha: virtual stiffness, K T^2/m [1]
     beta: virtual damping, B T/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: delta >= 0, d >= 0, -inf for alpha < 0.
-    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
+    NaN outside it, and if an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, alpha, beta, delta, d = arrays(alpha, beta, delta, d)
 
@@ -2883,8 +2883,8 @@ def passivity_boundary(theta, delta, d):
     d: delay in sampling periods, t_d/T [1]
     Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1].
     Domain: 0 < theta < pi, delta >= 0, d >= 0, NaN beyond the angle where alpha is 0: pi/(d +
-    1) for whole delays, for d <= 2/9 the curve goes on to pi.
-    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
+    1) for integer delays, for d <= 2/9 the curve continues to pi.
+    NaN outside it, and if an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, theta, delta, d = arrays(theta, delta, d)
 
@@ -2932,7 +2932,7 @@ def max_passive_stiffness(delta, d):
     Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1]; theta,
     angle on the unit circle, omega T [1].
     Domain: delta >= 0, d >= 0.
-    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
+    NaN outside it, and if an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, delta, d = arrays(delta, d)
 
@@ -2981,7 +2981,7 @@ def linear_limit(beta, delta, d):
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: delta >= 0, d >= 0.
-    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
+    NaN outside it, and if an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, beta, delta, d = arrays(beta, delta, d)
 

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#define STAMP "2083e8f8e4863035"
+#define STAMP "74033439a6099cd0"
 
 extern "C" {
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
@@ -87,17 +87,17 @@ KERNEL(discretize, \
     "delta: physical damping, b T/m [1]\n" \
     "Results: n1; n0; a, trace of the sampled plant [1]; e, determinant of the sampled plant [1].\n" \
     "Domain: gamma >= 0, delta >= 0.\n" \
-    "NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.\n", in_gamma, in_delta) \
+    "NaN outside it, and if an argument is NaN or larger than 1e70 or gamma larger than 1e15.\n", in_gamma, in_delta) \
 KERNEL(discretize_fractional, \
     "m2, m1, m0, a, e of (gamma, delta, epsilon)\n" \
     "\n" \
-    "the sampled device behind a delay of epsilon periods, P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m.\n" \
+    "the sampled device with a delay of epsilon periods, P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m.\n" \
     "gamma: physical stiffness, k T^2/m [1]\n" \
     "delta: physical damping, b T/m [1]\n" \
     "epsilon: rest of a delay, a fraction of a period [1]\n" \
     "Results: m2; m1; m0; a, trace of the sampled plant [1]; e, determinant of the sampled plant [1].\n" \
     "Domain: gamma >= 0, delta >= 0, 0 <= epsilon < 1.\n" \
-    "NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.\n", in_gamma, in_delta, in_epsilon) \
+    "NaN outside it, and if an argument is NaN or larger than 1e70 or gamma larger than 1e15.\n", in_gamma, in_delta, in_epsilon) \
 KERNEL(is_stable, \
     "stable of (alpha, beta, gamma, delta, d)\n" \
     "\n" \
@@ -107,8 +107,8 @@ KERNEL(is_stable, \
     "gamma: physical stiffness, k T^2/m [1]\n" \
     "delta: physical damping, b T/m [1]\n" \
     "d: delay in sampling periods, t_d/T [1]\n" \
-    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 < max(|alpha|, gamma) < 2^-400 (single: 2^-40).\n" \
-    "False outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n", in_alpha, in_beta, in_gamma, in_delta, in_d) \
+    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) if sqrt(gamma) rounds to a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 < max(|alpha|, gamma) < 2^-400 (single: 2^-40).\n" \
+    "False outside it, and if an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n", in_alpha, in_beta, in_gamma, in_delta, in_d) \
 KERNEL(unstable_roots, \
     "roots of (alpha, beta, gamma, delta, d)\n" \
     "\n" \
@@ -118,8 +118,8 @@ KERNEL(unstable_roots, \
     "gamma: physical stiffness, k T^2/m [1]\n" \
     "delta: physical damping, b T/m [1]\n" \
     "d: delay in sampling periods, t_d/T [1]\n" \
-    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 < max(|alpha|, gamma) < 2^-400 (single: 2^-40).\n" \
-    "-1 outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n", in_alpha, in_beta, in_gamma, in_delta, in_d) \
+    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) if sqrt(gamma) rounds to a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 < max(|alpha|, gamma) < 2^-400 (single: 2^-40).\n" \
+    "-1 outside it, and if an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n", in_alpha, in_beta, in_gamma, in_delta, in_d) \
 KERNEL(stability_boundary, \
     "alpha, beta of (theta, gamma, delta, d)\n" \
     "\n" \
@@ -130,7 +130,7 @@ KERNEL(stability_boundary, \
     "d: delay in sampling periods, t_d/T [1]\n" \
     "Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1].\n" \
     "Domain: 0 < theta < pi, gamma >= 0, delta >= 0, d >= 0.\n" \
-    "NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n", in_theta, in_gamma, in_delta, in_d) \
+    "NaN outside it, and if an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n", in_theta, in_gamma, in_delta, in_d) \
 KERNEL(max_stable_stiffness, \
     "alpha, beta, theta of (gamma, delta, d)\n" \
     "\n" \
@@ -139,29 +139,29 @@ KERNEL(max_stable_stiffness, \
     "delta: physical damping, b T/m [1]\n" \
     "d: delay in sampling periods, t_d/T [1]\n" \
     "Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1]; theta, angle on the unit circle, omega T [1].\n" \
-    "Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, delta = 0 or delta >= 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and where no wall is stable or none that is a little softer.\n" \
-    "NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n", in_gamma, in_delta, in_d) \
+    "Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, delta = 0 or delta >= 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and if no wall is stable, or none that is slightly softer.\n" \
+    "NaN outside it, and if an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n", in_gamma, in_delta, in_d) \
 KERNEL(passivity_margin_at, \
     "margin of (theta, alpha, beta, delta, d)\n" \
     "\n" \
-    "physical damping minus the damping that the wall needs at the angle theta = omega T; a wall with alpha >= 0 is passive where this is not negative at any angle.\n" \
+    "physical damping minus the damping that the wall requires at the angle theta = omega T; a wall with alpha >= 0 is passive if this is not negative at any angle.\n" \
     "theta: angle on the unit circle, omega T [1]\n" \
     "alpha: virtual stiffness, K T^2/m [1]\n" \
     "beta: virtual damping, B T/m [1]\n" \
     "delta: physical damping, b T/m [1]\n" \
     "d: delay in sampling periods, t_d/T [1]\n" \
     "Domain: 0 < theta < pi, delta >= 0, d >= 0.\n" \
-    "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n", in_theta, in_alpha, in_beta, in_delta, in_d) \
+    "NaN outside it, and if an argument is NaN or larger than 1e70 or d larger than 1e15.\n", in_theta, in_alpha, in_beta, in_delta, in_d) \
 KERNEL(passivity_margin, \
     "margin of (alpha, beta, delta, d)\n" \
     "\n" \
-    "physical damping minus the damping that the wall needs at its worst angle; the wall is passive where it is not negative.\n" \
+    "physical damping minus the damping that the wall requires at its worst angle; the wall is passive if this is not negative.\n" \
     "alpha: virtual stiffness, K T^2/m [1]\n" \
     "beta: virtual damping, B T/m [1]\n" \
     "delta: physical damping, b T/m [1]\n" \
     "d: delay in sampling periods, t_d/T [1]\n" \
     "Domain: delta >= 0, d >= 0, -inf for alpha < 0.\n" \
-    "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n", in_alpha, in_beta, in_delta, in_d) \
+    "NaN outside it, and if an argument is NaN or larger than 1e70 or d larger than 1e15.\n", in_alpha, in_beta, in_delta, in_d) \
 KERNEL(passivity_boundary, \
     "alpha, beta of (theta, delta, d)\n" \
     "\n" \
@@ -170,8 +170,8 @@ KERNEL(passivity_boundary, \
     "delta: physical damping, b T/m [1]\n" \
     "d: delay in sampling periods, t_d/T [1]\n" \
     "Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1].\n" \
-    "Domain: 0 < theta < pi, delta >= 0, d >= 0, NaN beyond the angle where alpha is 0: pi/(d + 1) for whole delays, for d <= 2/9 the curve goes on to pi.\n" \
-    "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n", in_theta, in_delta, in_d) \
+    "Domain: 0 < theta < pi, delta >= 0, d >= 0, NaN beyond the angle where alpha is 0: pi/(d + 1) for integer delays, for d <= 2/9 the curve continues to pi.\n" \
+    "NaN outside it, and if an argument is NaN or larger than 1e70 or d larger than 1e15.\n", in_theta, in_delta, in_d) \
 KERNEL(max_passive_stiffness, \
     "alpha, beta, theta of (delta, d)\n" \
     "\n" \
@@ -180,7 +180,7 @@ KERNEL(max_passive_stiffness, \
     "d: delay in sampling periods, t_d/T [1]\n" \
     "Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1]; theta, angle on the unit circle, omega T [1].\n" \
     "Domain: delta >= 0, d >= 0.\n" \
-    "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n", in_delta, in_d) \
+    "NaN outside it, and if an argument is NaN or larger than 1e70 or d larger than 1e15.\n", in_delta, in_d) \
 KERNEL(linear_limit, \
     "alpha of (beta, delta, d)\n" \
     "\n" \
@@ -189,12 +189,12 @@ KERNEL(linear_limit, \
     "delta: physical damping, b T/m [1]\n" \
     "d: delay in sampling periods, t_d/T [1]\n" \
     "Domain: delta >= 0, d >= 0.\n" \
-    "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n", in_beta, in_delta, in_d)
+    "NaN outside it, and if an argument is NaN or larger than 1e70 or d larger than 1e15.\n", in_beta, in_delta, in_d)
 
 #define INSIDE(KERNEL) \
 KERNEL(late_device, \
     "apart, m2, kicked, m0 of (gamma, delta, part)\n" \
     "\n" \
-    "m2 - m1 + m0, m2, an impulse's way in the rest of the period, m0, behind a fraction of it.\n")
+    "m2 - m1 + m0, m2, displacement by an impulse in the rest of the period, m0.\n")
 
 #endif

@@ -110,19 +110,22 @@ class Engine:
     def trace(self) -> Trace:
         """The boundary of the stable walls, whose stiffness has a limit."""
         if self.unlimited:
-            raise ValueError(f"coupling: {self.unlimited}; ask is_stable or delay_margin")
+            raise ValueError(
+                f"coupling: {self.unlimited}, but a softer wall may be unstable; "
+                "use is_stable or delay_margin"
+            )
         return Trace(self.loop)
 
     @cached_property
     def unlimited(self) -> str:
-        """Why no stiffness is too large, or nothing: with a rigid wall the coupling is the wall."""
+        """The reason for no upper limit, if any: with a rigid wall the coupling is the wall."""
         if self.coupling is None:
             return ""
         rigid = replace(self, coupling=None, virtual_mass=0.0).loop
         K, B = map(np.asarray, self.coupling.without_units(self.mass, self.period))
         if not count.is_stable(rigid, K, B):
             return ""
-        return "it is stable with a rigid wall, so the stiffness has no limit"
+        return "it is stable with a rigid wall, so the stiffness has no upper limit"
 
     @property
     def no_passivity(self) -> str:

@@ -75,7 +75,7 @@ class Oversampled(Measured):
     def sampled(self, plant: Plant, fraction: Array | float, period: float) -> Sampled:
         """The device with the filter's memory, once a period of the wall.
 
-        Each force arrives late by ``fraction`` of a period, from 0 up to 1.
+        Each force is delayed by ``fraction`` of a period, from 0 up to 1.
         """
         late = np.asarray(fraction, dtype=float) * self.times
         first = np.floor(late)

@@ -52,7 +52,7 @@ class Sampled(NamedTuple):
 def held(plant: Plant, fraction: Number = 0.0) -> Sampled:
     """The samples of a device under forces that are held for a period.
 
-    Each force arrives late by ``fraction`` of a period, from 0 up to 1.
+    Each force is delayed by ``fraction`` of a period, from 0 up to 1.
     """
     state, force, position, velocity = arrays(plant)
     part = np.asarray(fraction, dtype=float)[..., None, None]

@@ -98,7 +98,7 @@ def jury(delay: int, gamma: float | None = None, delta: float | None = None) -> 
     Automatic Control 18(2), 1973, for the characteristic polynomial
     :math:`z^{d+1}(z^2-az+e)+(n_1z+n_0)((\alpha+\beta)z-\beta)`; derived in chapter s4d_jury.  The
     largest polynomial has 9 terms for d = 0, 57 for d = 2 and 3505 for d = 8.  Up to d = 8 the call
-    takes less than some two seconds; each further period doubles the time.  For a longer or a
+    takes less than about two seconds; each further period doubles the time.  For a longer or a
     fractional delay use :func:`symhaptic.is_stable` or :func:`symhaptic.stability_boundary`.
 
     Examples
@@ -223,7 +223,7 @@ def coefficients(delay: int, device: Sampled = ANY) -> tuple[Expr, ...]:
     (1, -2)
     """
     if isinstance(delay, bool) or not isinstance(delay, Integral) or delay < 0:
-        raise ValueError(f"delay: {delay!r} is no whole number of periods; give 0, 1, 2, ...")
+        raise ValueError(f"delay: {delay!r} is not an integer number of periods; give 0, 1, 2, ...")
     return tuple(sp.Poly(loop.closing(device).subs(d, int(delay)), z).all_coeffs())
 
 

@@ -145,7 +145,7 @@ def stability_boundary(
         Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
         paper's z^-d = exp(-j d theta).
     digits : int, optional
-        Return balls of python-flint (``flint.arb``) that are right to so many digits.
+        Return balls of python-flint (``flint.arb``) that are correct to this many digits.
 
     Returns
     -------

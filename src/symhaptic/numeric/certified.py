@@ -60,7 +60,7 @@ def undecided(names: Sequence[str], numbers: Sequence[float], share: str) -> NoR
     """Raise :class:`ArithmeticError` for a loop, the first of a number of loops."""
     loop = ", ".join(f"{n}={float(v)!r}" for n, v in zip(names, numbers, strict=True))
     raise ArithmeticError(
-        f"certified: {loop} is on the boundary, or closer to it than the balls tell ({share}); "
+        f"certified: {loop} is on the boundary, or too close to it for balls to decide ({share}); "
         "change one of these numbers, or ask without certified=True"
     )
 

@@ -30,7 +30,7 @@ def linear_limit(
     delay : array_like
         Delay in sampling periods, >= 0, integer or fractional.  All arguments broadcast.
     digits : int, optional
-        Return balls of python-flint (``flint.arb``) that are right to so many digits.
+        Return balls of python-flint (``flint.arb``) that are correct to this many digits.
 
     Returns
     -------

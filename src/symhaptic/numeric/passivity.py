@@ -72,7 +72,7 @@ def passivity_margin(
         Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
         paper's z^-d = exp(-j d theta).
     digits : int, optional
-        Return balls of python-flint (``flint.arb``) that are right to so many digits.
+        Return balls of python-flint (``flint.arb``) that are correct to this many digits.
 
     Returns
     -------
@@ -145,7 +145,7 @@ def passivity_margin_at(
         Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
         paper's z^-d = exp(-j d theta).
     digits : int, optional
-        Return balls of python-flint (``flint.arb``) that are right to so many digits.
+        Return balls of python-flint (``flint.arb``) that are correct to this many digits.
 
     Returns
     -------
@@ -235,7 +235,7 @@ def is_passive(
     ValueError
         If the wall is infinite, or ``delta`` or ``delay`` is negative or infinite.
     ArithmeticError
-        If ``certified`` is true and the balls do not tell the sign of a margin.
+        If ``certified`` is true and balls cannot decide the sign of a margin.
 
     Notes
     -----
@@ -318,8 +318,8 @@ def passivity_boundary(
         Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
         paper's z^-d = exp(-j d theta).
     digits : int, optional
-        Return balls of python-flint (``flint.arb``) that are right to so many digits; for integer
-        delays only.
+        Return balls of python-flint (``flint.arb``) that are correct to this many digits. Only for
+        integer delays.
 
     Returns
     -------
@@ -386,8 +386,8 @@ def max_passive_stiffness(
         Meaning of a fractional delay: ``"exact"`` is the modified z-transform, ``"principal"`` the
         paper's z^-d = exp(-j d theta).
     digits : int, optional
-        Return balls of python-flint (``flint.arb``) that are right to so many digits; for integer
-        delays only.
+        Return balls of python-flint (``flint.arb``) that are correct to this many digits. Only for
+        integer delays.
 
     Returns
     -------

@@ -99,7 +99,7 @@ def device(gamma: Array, delta: Array, part: Array | None = None) -> Device:
 def behind(undelayed: Device, gamma: Array, delta: Array, part: Array) -> Device:
     """The same plant behind a delay of ``part`` periods: what M = m2 z^2 + m1 z + m0 has is other.
 
-    M(-1) is no difference of the three, which has no digits where a hardly damped device makes
+    M(-1) is no difference of the three, which has no digits where a lightly damped device makes
     whole half swings in a period.
     """
     apart, m2, _, m0 = _late_device(gamma, delta, part)
@@ -192,7 +192,7 @@ def discretize(
     gamma, delta : array_like
         Physical stiffness k T^2/m >= 0 and physical damping b T/m >= 0; they broadcast.
     digits : int, optional
-        Return balls of python-flint (``flint.arb``) that are right to so many digits.
+        Return balls of python-flint (``flint.arb``) that are correct to this many digits.
 
     Returns
     -------
@@ -244,7 +244,7 @@ def discretize_fractional(
     epsilon : array_like
         Delay in sampling periods, 0 <= epsilon < 1.  All arguments broadcast.
     digits : int, optional
-        Return balls of python-flint (``flint.arb``) that are right to so many digits.
+        Return balls of python-flint (``flint.arb``) that are correct to this many digits.
 
     Returns
     -------

@@ -193,8 +193,8 @@ def unstable_roots(
         paper's z^-d = exp(-j d theta).
     certified : bool, optional
         Count where bounds of the rounding errors are proved, first in double precision, then in
-        ball arithmetic of up to 2560 bits, which takes some 0.3 ms a loop.  The count is then
-        -1 only for NaN, and if a root is on the circle or closer to it than these bits tell.
+        ball arithmetic of up to 2560 bits, which takes about 0.3 ms per loop.  The count is then
+        -1 only for NaN, and if a root is on the circle or too close to it for these bits.
 
     Returns
     -------
@@ -206,7 +206,7 @@ def unstable_roots(
         * squares underflow: ``abs(alpha) + abs(beta) + 1 - exp(-delta) < 2**-400`` or
           ``0 < max(abs(alpha), gamma) < 2**-400``;
         * an argument is NaN;
-        * on the principal sheet, a wall some thousand last places away has another count.
+        * on the principal sheet, a wall that differs by some thousand ulps has another count.
 
     Raises
     ------
@@ -223,7 +223,7 @@ def unstable_roots(
     of the polynomial with the modified z-transform.  They are counted by the argument principle
     (chapter s4d_roots_counted).
     Arrays in single precision are computed in double precision, if their library has it.  Inside
-    ``jax.jit`` every branch is compiled, which takes XLA some ten seconds.  ``torch.compile``
+    ``jax.jit`` every branch is compiled, which takes XLA about ten seconds.  ``torch.compile``
     breaks its graph here.
 
     Examples
@@ -294,7 +294,7 @@ def is_stable(
         paper's z^-d = exp(-j d theta).
     certified : bool, optional
         Count where bounds of the rounding errors are proved, first in double precision, then in
-        ball arithmetic of up to 2560 bits, which takes some 0.3 ms a loop.  False is
+        ball arithmetic of up to 2560 bits, which takes about 0.3 ms per loop.  False is
         then right, too.
 
     Returns
@@ -309,7 +309,7 @@ def is_stable(
     ValueError
         If the wall is infinite, or if ``gamma``, ``delta`` or ``delay`` is negative or too large.
     ArithmeticError
-        If ``certified`` is true and a root is on the circle, or closer to it than the balls tell.
+        If ``certified`` is true and a root is on the circle, or too close to it.
 
     See Also
     --------

@@ -87,11 +87,11 @@ class DeviceLoop:
     dynamics: LinearDevice | None = None
     """Any linear device, instead of mass, damping, stiffness and arm."""
     velocity: Velocity | None = None
-    """What the wall takes for the velocity; the difference of two samples if left out."""
+    """What the wall uses as the velocity; the difference of two samples if left out."""
     actuator: Lag | None = None
     """What is between the command and the force."""
     structure: SecondMass | None = None
-    """A second mass behind a spring."""
+    """A second mass on a spring."""
     integrator: str = "hold"
     """How the device moves: under held forces, or as a simulator moves it."""
     virtual_mass: float | None = None

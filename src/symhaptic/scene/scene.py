@@ -65,11 +65,11 @@ class Scene(DeviceLoop):
     dynamics : LinearDevice, optional
         Any linear device, instead of mass, damping, stiffness and arm.
     velocity : LowPass, Average, Window, Filter, Measured, Oversampled or Difference, optional
-        What the wall takes for the velocity; (x_k - x_(k-1))/T if left out, as in the paper.
+        What the wall uses as the velocity; (x_k - x_(k-1))/T if left out, as in the paper.
     actuator : Lag, optional
         A lag between the command and the force.
     structure : SecondMass, optional
-        A second mass behind a spring.  The arm is on the motor's side of it.
+        A second mass on a spring.  The arm is on the motor's side of it.
     integrator : str
         ``"hold"`` for a device, ``"semi-implicit Euler"`` or ``"explicit Euler"`` for a simulator.
     virtual_mass : float, optional
@@ -214,7 +214,7 @@ class Scene(DeviceLoop):
             be those of xarray, Dask, pandas and Pint.
         certified : bool, optional
             Give a verdict that is right for the decimals that were given, none of them rounded, in
-            ball arithmetic.  It takes some 0.3 ms a wall.
+            ball arithmetic.  It takes about 0.3 ms per wall.
 
         Returns
         -------
@@ -228,10 +228,10 @@ class Scene(DeviceLoop):
         ------
         ValueError
             If ``K`` or ``B`` is infinite or has a unit that cannot be converted, or if a verdict on
-            a loop with more than a device, an arm and a delay shall be ``certified``.
+            a loop with more than a device, an arm and a delay is to be ``certified``.
         ArithmeticError
-            If ``certified`` is true and a wall is on the boundary, or closer to it than the balls
-            tell.
+            If ``certified`` is true and a wall is on the boundary, or too close to it for balls
+            to decide.
 
         See Also
         --------
@@ -257,7 +257,7 @@ class Scene(DeviceLoop):
             be those of xarray, Dask, pandas and Pint.
         certified : bool, optional
             Give a verdict that is right for the decimals that were given, none of them rounded, in
-            ball arithmetic.  It takes some 0.3 ms a wall.
+            ball arithmetic.  It takes about 0.3 ms per wall.
 
         Returns
         -------
@@ -269,10 +269,10 @@ class Scene(DeviceLoop):
         ------
         ValueError
             If ``K`` or ``B`` is infinite or has a unit that cannot be converted, or if a verdict on
-            a loop with more than a device, an arm and a delay shall be ``certified``.
+            a loop with more than a device, an arm and a delay is to be ``certified``.
         ArithmeticError
-            If ``certified`` is true and a wall is on the boundary, or closer to it than the balls
-            tell.
+            If ``certified`` is true and a wall is on the boundary, or too close to it for balls
+            to decide.
 
         Examples
         --------
@@ -419,7 +419,7 @@ class Scene(DeviceLoop):
 
         Notes
         -----
-        The limit is a supremum.  With any damping but ``.B`` it is lower.
+        The limit is a supremum.  With any damping except ``.B`` it is lower.
 
         Examples
         --------
@@ -619,8 +619,8 @@ class Scene(DeviceLoop):
         dict of str to float
             By the name of the parameter.  A parameter that is left out or 0 has no entry.  The
             arm's parameters are ``arm_mass``, ``arm_damping`` and ``arm_stiffness``, and those of
-            parts are named alike, such as ``velocity_cutoff`` or ``structure_mass``; whole numbers
-            and the coefficients of a ``Filter`` or of ``dynamics`` have no entry.
+            parts are named in the same way, such as ``velocity_cutoff`` or ``structure_mass``.
+            Integers and the coefficients of a ``Filter`` or of ``dynamics`` have no entry.
 
         Notes
         -----
@@ -990,7 +990,8 @@ class Scene(DeviceLoop):
         float or array
             The margin in s.  The wall is stable for every delay from the scene's own up to its own
             plus the margin.  0 for a wall that is unstable at the scene's delay.  NaN (not
-            computed) for a wall that is stable there but not at every smaller delay.
+            computed) for a wall that is stable there but not at every smaller delay, unless the
+            scene has further parts.
 
         Raises
         ------
@@ -1026,7 +1027,7 @@ class Scene(DeviceLoop):
         Returns
         -------
         tuple of tuple of float
-            The ends of each window in s, which are open but for 0 and ``up_to``.
+            The ends of each window in s, which are open except at 0 and ``up_to``.
 
         Raises
         ------

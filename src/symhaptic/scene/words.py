@@ -58,7 +58,10 @@ def facts(scene: DeviceLoop) -> dict[str, str]:
         found["arm"] = str(scene.arm)
     found |= _parts(scene)
     if scene.further and scene.engine.unlimited:
-        found["stable up to"] = "any stiffness, because the coupling is stable with a rigid wall"
+        found["stable up to"] = (
+            "no upper limit, because the coupling is stable with a rigid wall; "
+            "a softer wall may be unstable"
+        )
     else:
         most, free = max_stable_stiffness(scene), limit_at(scene, 0.0)
         found["stable up to"] = _limit(scene, most.K, most.frequency_hz, most.B)

@@ -113,7 +113,7 @@ def calls(rows: list[Row]) -> Table:
         "per value. The error is the largest one for all ordinary and hard parameters, relative to "
         "the largest term of the result. No result is NaN. C stands for exported C code, and "
         "digits=30 for a call of the package with this argument. The functions for float32 and "
-        "mpmath are those of lambdify; mpmath, 30 computes with 30 digits."
+        "mpmath are those of lambdify; for example, mpmath, 30 is mpmath with 30 digits."
     )
     head = ("function", *(f"to {_power(most)}" for most in ERRORS))
     return Table("Fastest call for a given error", head, tuple(found), len(head), says)

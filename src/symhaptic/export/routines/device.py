@@ -67,7 +67,7 @@ def real_poles(gamma, half, w: Pair, root):
 @routine("p p_low slow slow_low mean mean_low ratio ratio_low far far_low", record="Creeping",
          takes="Motion")  # fmt: skip
 def creeping_device(gamma, half, w: Pair, root):
-    """of a creeping device the pole p, exp and mean of the other one and of their distance"""
+    """of an overdamped device the pole p, exp and mean of the other one and of their distance"""
     p, q = real_poles(gamma, half, w, root)
     low = do("root_low", root_miss(w, root))
     return p, *fading_pair(q), *fading_pair((2 * root, 2 * low))
@@ -76,7 +76,7 @@ def creeping_device(gamma, half, w: Pair, root):
 @routine("envelope even even_low wave wave_low near risen sunk moved", record="Swinging",
          takes="Motion")  # fmt: skip
 def swinging_device(gamma, half, w: Pair, root):
-    """of a swinging device exp(-half), cos(root), sin(root)/root and what is near whole turns"""
+    """exp(-half), cos(root), sin(root)/root and nearby turns of an oscillating device"""
     even, wave = waving_pair(w, root)
     turns = whole_turns(half, w, root, do("stiff", gamma))
     return do("envelope", exp(-half)), even, wave, *turns
@@ -276,7 +276,7 @@ def _gap_near(small, half, w, envelope=None):
 
 @routine(takes="Motion Creeping")
 def plant_n1_creep(reach, half, w, p: Pair, slow: Pair, mean: Pair, far: Pair, decayed: Pair):
-    """n1 of a creeping device"""
+    """n1 of an overdamped device"""
     found = over(minus(mean, times(slow, far)), p)
     near = _n1_near(reach < SOFT, decayed, half, w)
     return choose(reach < SOFT, near, rounded(found))
@@ -285,7 +285,7 @@ def plant_n1_creep(reach, half, w, p: Pair, slow: Pair, mean: Pair, far: Pair, d
 @routine(takes="Motion Creeping")
 def plant_n0_creep(reach, p: Pair, slow: Pair, mean: Pair, ratio: Pair, far: Pair, decayed: Pair,
                    gamma, delta):  # fmt: skip
-    """n0 of a creeping device"""
+    """n0 of an overdamped device"""
     found = times(slow, over(minus(far, times(ratio, mean)), p))
     near = plant_n0_near(*_only(reach < SOFT, decayed, gamma, delta))
     return choose(reach < SOFT, near, rounded(found))
@@ -293,7 +293,7 @@ def plant_n0_creep(reach, p: Pair, slow: Pair, mean: Pair, ratio: Pair, far: Pai
 
 @routine(takes="Motion Creeping")
 def numerator_at_one_creep(reach, half, w, p: Pair, slow: Pair, mean: Pair, ratio: Pair):
-    """n1 + n0 of a creeping device"""
+    """n1 + n0 of an overdamped device"""
     fast = times(slow, ratio)
     found = over(times(mean, one_minus(fast)), p)
     return choose(reach < 1, _one_near(reach < 1, half, w), rounded(found))
@@ -301,14 +301,14 @@ def numerator_at_one_creep(reach, half, w, p: Pair, slow: Pair, mean: Pair, rati
 
 @routine(takes="Motion Creeping")
 def denominator_at_minus_one_creep(slow: Pair, ratio: Pair):
-    """1 + a + e of a creeping device"""
+    """1 + a + e of an overdamped device"""
     fast = times(slow, ratio)
     return rounded(times(one_plus(slow), one_plus(fast)))
 
 
 @routine(takes="Motion Creeping")
 def numerator_gap_creep(reach, half, w, p, slow, mean: Pair, ratio, far: Pair, delta):
-    """(n1 - n0)/delta of a creeping device"""
+    """(n1 - n0)/delta of an overdamped device"""
     top, top_low = minus(mean, scaled(do("twice", 2 * slow), far))
     more, more_low = scaled(do("fast", slow * ratio), mean)
     top, low = do("top", top + more), do("low", top_low + more_low)
@@ -322,7 +322,7 @@ def numerator_gap_creep(reach, half, w, p, slow, mean: Pair, ratio, far: Pair, d
 @routine(takes="Motion Swinging")
 def plant_n1_swing(reach, half, w, envelope, even: Pair, wave: Pair, near, risen, decayed: Pair,
                    gamma):  # fmt: skip
-    """n1 of a swinging device"""
+    """n1 of an oscillating device"""
     top = one_minus(scaled(envelope, plus(even, scaled(half, wave))))
     swing = rounded(over(top, do.divisor(gamma)))
     slow = _n1_near(reach < SOFT, decayed, half, w)
@@ -332,7 +332,7 @@ def plant_n1_swing(reach, half, w, envelope, even: Pair, wave: Pair, near, risen
 @routine(takes="Motion Swinging")
 def plant_n0_swing(reach, half, envelope, even: Pair, wave: Pair, near, sunk, decayed: Pair,
                    gamma):  # fmt: skip
-    """n0 of a swinging device"""
+    """n0 of an oscillating device"""
     both = minus(scaled(half, wave), even)
     top = scaled(envelope, plus(both, envelope))
     swing = rounded(over(top, do.divisor(gamma)))
@@ -357,7 +357,7 @@ def _squares(half, w, root, envelope, wave):
 
 @routine(takes="Motion Swinging")
 def numerator_at_one_swing(reach, half, w: Pair, root, envelope, near, moved, gamma):
-    """n1 + n0 of a swinging device"""
+    """n1 + n0 of an oscillating device"""
     found = rounded(over(_squares(half, w, root, envelope, sin), do.divisor(gamma)))
     slow = _one_near(reach < 1, half, w[0], envelope)
     return choose(reach < 1, slow, choose(near > 0, moved, 4 * found))
@@ -365,7 +365,7 @@ def numerator_at_one_swing(reach, half, w: Pair, root, envelope, near, moved, ga
 
 @routine(takes="Motion Swinging")
 def denominator_at_minus_one_swing(half, w: Pair, root, envelope, even: Pair):
-    """1 + a + e of a swinging device"""
+    """1 + a + e of an oscillating device"""
     squares = _squares(half, w, root, envelope, cos)  # a sum where a > 0, these where it is not
     turn = scaled(2 * envelope, even)
     both = plus(one_plus(do("e", exp(-2 * half))), turn)
@@ -374,7 +374,7 @@ def denominator_at_minus_one_swing(half, w: Pair, root, envelope, even: Pair):
 
 @routine(takes="Motion Swinging")
 def numerator_gap_swing(reach, half, w, envelope, wave: Pair, gamma, delta):
-    """(n1 - n0)/delta of a swinging device"""
+    """(n1 - n0)/delta of an oscillating device"""
     top = minus(do("mean", Decay(delta)), scaled(envelope, wave))
     swing = rounded(over(top, do.divisor(gamma)))
     return choose(reach < 1, _gap_near(reach < 1, half, w, envelope), swing)
@@ -384,7 +384,7 @@ def numerator_gap_swing(reach, half, w, envelope, wave: Pair, gamma, delta):
 
 
 def _either(small, near, swing, creep, found):
-    """A form near the origin, else that of a swinging or of a creeping device."""
+    """A form near the origin, else that of a swinging or of an overdamped device."""
     both = choose(found[1]["w"] < 0, swing.of(found[0]), creep.of(found[1]))
     return choose(small, near, both)
 

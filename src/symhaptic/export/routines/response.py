@@ -64,7 +64,7 @@ def ahead(psi, device):
 
 @routine()
 def fractional_numerator_gap(epsilon, x: Pair, y: Pair, first, last, turned):
-    """m2 - m1 + m0 of the device behind a fraction of a period"""
+    """m2 - m1 + m0 of the device with a fractional delay"""
     share = scaled(epsilon, one_minus(epsilon))
     found, low = times(share, times(x, y))
     left = minus(minus(first, (2 * found, 2 * low)), last)
@@ -77,8 +77,8 @@ _LIGHT = Rational(1, 4)
 
 @routine()
 def half_turned(found, gamma, delta, part):
-    """m2 - m1 + m0 behind a fraction of a period"""
-    # only a device that swings half a turn and more, hardly damped, has to be looked at
+    """m2 - m1 + m0 with a fractional delay"""
+    # only a device that swings half a turn and more, lightly damped, has to be looked at
     half, (w, _), root, _ = device_motion(gamma, delta)
     swings = And(w < 0, root > 3, half < _LIGHT)
     return choose(swings, half_turned_swing(gamma, delta, part), found)
@@ -86,7 +86,7 @@ def half_turned(found, gamma, delta, part):
 
 @routine()
 def half_turned_swing(gamma, delta, part):
-    """m2 - m1 + m0 of a device that swings, hardly damped"""
+    """m2 - m1 + m0 of a lightly damped oscillating device"""
     # of half the angles that it turns in a period and in its two parts; without damping it is a
     # product, and each other term is as small as the damping
     half, w, root, _ = device_motion(gamma, delta)
@@ -119,7 +119,7 @@ def _waves(angle: Pair):
 
 @routine(record="Delayed")
 def late_device(gamma, delta, part):
-    """m2 - m1 + m0, m2, an impulse's way in the rest of the period, m0, behind a fraction of it"""
+    """m2 - m1 + m0, m2, displacement by an impulse in the rest of the period, m0"""
     # both parts of the period are devices of their own, with a period so many times as long
     results = zip(("apart", "m2", "kicked", "m0"), late_numbers(part), strict=True)
     form = Form("late_device", "", (gamma, delta), tuple(results), tuple, ())

@@ -431,7 +431,7 @@ def whole_roots(given, precision):
 
 @routine()
 def stable(roots, alpha, beta, gamma, delta, precision):
-    """1 where the loop is stable, 0 where it is not, -1 where that is not certain"""
+    """1 if the loop is stable, 0 if it is not, -1 if that is not certain"""
     # no root outside, none at 1, and no device that swings on whatever the wall does
     swing = do("swing", sqrt(gamma))
     free = And(Eq(alpha, 0), Eq(beta, 0), Eq(delta, 0), gamma > 0)
@@ -443,7 +443,7 @@ def stable(roots, alpha, beta, gamma, delta, precision):
 
 @routine()
 def free_stable(alpha, beta, d, n1, n0, at_minus_one, loss, together, apart, precision):
-    """1 where a loop without a spring is stable, 0 where it is not, -1 where that is not certain"""
+    """1 if a loop without a spring is stable, 0 if it is not, -1 if that is not certain"""
     # the angle is that of the crossing; no turn is left of its phase where none is outside
     last = unit(precision)
     slope, force, far = _wall()
@@ -575,7 +575,7 @@ def _unsure(terms, least, sizes, last, off):
 
 @routine(given=FRACTIONAL_ARGUMENTS)
 def fractional_roots(given, precision):
-    """roots outside the unit circle behind a fractional delay, -1 where that is not certain"""
+    """roots outside the unit circle with a fractional delay, -1 if that is not certain"""
     weak, x = _faint(precision), expanded(precision)
     one, two = do("one", x.center / 2), do("two", x.beyond / 2)
     before, after = do("before", _value(x.own, -one)), do("after", _value(x.own, two))

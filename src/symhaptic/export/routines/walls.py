@@ -100,7 +100,7 @@ _FIRST = 4
 
 @routine()
 def straight(stiffness, damping, k, angle):
-    """what straight motions need at a whole delay of k periods"""
+    """what straight motions require with an integer delay of k periods"""
     order = do("order", 2 * k + 1)
     wave, near = do("wave", Sinc(order * angle)), do("near", 2 * Sinc(angle))
     kernel = over(scaled(order, wave), near)
@@ -110,7 +110,7 @@ def straight(stiffness, damping, k, angle):
 
 @routine()
 def straight_at(stiffness, damping, k, angle):
-    """what straight motions need at an angle behind k whole periods"""
+    """what straight motions require at an angle, with a delay of k periods"""
     half = do("half", angle / 2)  # the delay may turn it many times
     wave, along = do("wave", SinNext(2 * k, half)), do("along", CosNext(k, angle))
     kernel = over(wave, do("near", 2 * sin(half)))
@@ -125,7 +125,7 @@ def between(share, early, late):
 
 @routine()
 def damping_at(alpha, beta, l, epsilon, psi):
-    """the damping that the wall needs at the angle 2 psi"""
+    """the damping that the wall requires at the angle 2 psi"""
     early, late = do("early", required_damping.straight(l)), required_damping.straight(l + 1)
     n = do("n", required_damping.between(early, late))
     root = do("root", sqrt(n * n + required_damping.extra()))
@@ -134,7 +134,7 @@ def damping_at(alpha, beta, l, epsilon, psi):
 
 @routine()
 def required_at(alpha, beta, l, epsilon, theta, precision):
-    """the damping that the wall needs at the angle theta, at a fraction of a period"""
+    """the damping that the wall requires at the angle theta, for a fractional delay"""
     # at any angle of (0, pi), where the delay turns many times as well
     lift = do("lift", _lift(alpha, beta, precision))
     stiffness, damping = do("stiffness", lift * alpha), do("damping", lift * beta)
@@ -192,7 +192,7 @@ def _neediest(slope, alpha, beta, l, close, precision):
 
 @routine()
 def worst_angle(alpha, beta, l, epsilon, precision):
-    """half of the angle at which the wall needs most damping"""
+    """half of the angle at which the wall requires most damping"""
     # as near as its need has to be
     return _neediest(lambda *wall: steepness(*wall[:3], epsilon, wall[3]), alpha, beta, l,
                      precision.flat, precision)  # fmt: skip
@@ -200,7 +200,7 @@ def worst_angle(alpha, beta, l, epsilon, precision):
 
 @routine()
 def critical_angle(alpha, beta, l, epsilon, precision):
-    """half of the angle at which the wall needs most damping"""
+    """half of the angle at which the wall requires most damping"""
     # to the last place, for derivatives of the need
     return _neediest(lambda *wall: steepness(*wall[:3], epsilon, wall[3]), alpha, beta, l,
                      precision.close, precision)  # fmt: skip
@@ -208,7 +208,7 @@ def critical_angle(alpha, beta, l, epsilon, precision):
 
 @routine()
 def largest_required_damping(alpha, beta, d, precision):
-    """the damping that the wall needs at its worst angle"""
+    """the damping that the wall requires at its worst angle"""
     # of a wall whose squares would vanish it is that of a larger one, by a power of two
     whole = do("whole", floor(d))
     part = do("part", d - whole)
@@ -231,7 +231,7 @@ def lifted(x, alpha, beta, precision):
 
 @routine()
 def whole_damping_at(alpha, beta, l, psi):
-    """the damping that the wall needs at the angle 2 psi"""
+    """the damping that the wall requires at the angle 2 psi"""
     return required_damping.straight(l)
 
 
@@ -243,13 +243,13 @@ def whole_steepness(alpha, beta, l, psi):
 
 @routine()
 def worst_whole_angle(alpha, beta, l, precision):
-    """half of the angle at which the wall needs most damping"""
+    """half of the angle at which the wall requires most damping"""
     return _neediest(whole_steepness, alpha, beta, l, precision.flat, precision)
 
 
 @routine()
 def largest_whole_required_damping(alpha, beta, d):
-    """the damping that the wall needs at its worst angle"""
+    """the damping that the wall requires at its worst angle"""
     psi = do("psi", worst_whole_angle(alpha, beta, d))
     return choose(alpha < 0, sp.oo, whole_damping_at(alpha, beta, d, psi))
 

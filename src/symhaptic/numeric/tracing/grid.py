@@ -90,7 +90,7 @@ def grid_boundary(
     delay : float or Fraction
         Delay in sampling periods, >= 0.
     alphas, betas : array_like of shape (n,) and (m,)
-        Lines of the grid: values of K T^2/m and of B T/m, rising.
+        Lines of the grid: values of K T^2/m and of B T/m, increasing.
     threshold : float, optional
         Distance along a grid line within which a point is found.
 

@@ -51,7 +51,7 @@ def max_delay(
     It is the delay at which the first root reaches the unit circle, exact to rounding.  If this
     cannot be decided within a fixed number of steps, it is a lower bound: a delay up to which the
     loop is stable.  A :class:`RuntimeWarning` then names the first of these loops and their number.
-    This occurs for loops that are close to instability at every delay, such as a hardly damped
+    This occurs for loops that are close to instability at every delay, such as a lightly damped
     device with omega_d T near a multiple of pi.
 
     Parameters

@@ -158,7 +158,7 @@ def stable_region(
     ------
     ValueError
         If an argument is out of its range, or if pieces of the boundary are missed.  This occurs
-        for hardly damped devices with omega_d T near a multiple of pi, and on the principal sheet
+        for lightly damped devices with omega_d T near a multiple of pi, and on the principal sheet
         for delays within some 1e-6 of a period above an integer.
 
     See Also

@@ -58,7 +58,7 @@ def robust_region(
     delta : float
         Physical damping b T/m, >= 0.
     delay : float
-        Delay in sampling periods, 0 to 100.  Long delays take some ten seconds.
+        Delay in sampling periods, 0 to 100.  Long delays take about ten seconds.
     sheet : {"exact", "principal"}, optional
         Meaning of a fractional delay, as for :func:`stable_region`.
     tolerance : float, optional
