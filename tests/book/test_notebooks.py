@@ -71,7 +71,7 @@ def told(one):
             found.append("")
             for output in cell.outputs:
                 given = output.get("data", {}).get("text/plain", "")
-                found[-1] += output.text if output.output_type == "stream" else given
+                found[-1] += output.get("text", given) + output.get("evalue", "")
     return [" ".join(text.split()) for text in found]
 
 

@@ -94,11 +94,21 @@ def _examples(content: str) -> Iterator[Any]:
     typed: list[str] = []
     for example in doctest.DocTestParser().get_examples(content):
         typed.append(re.sub(r"\s*# doctest:.*", "", example.source).rstrip())
-        if example.want:
+        if example.exc_msg:
+            yield _refused("\n".join(typed), example.exc_msg.strip())
+            typed = []
+        elif example.want:
             yield v4.new_code_cell("\n".join(typed), outputs=[_output(typed[-1], example.want)])
             typed = []
     if typed:
         yield v4.new_code_cell("\n".join(typed))
+
+
+def _refused(source: str, message: str) -> Any:
+    """A cell that ends in an error; those after it run all the same."""
+    name, _, why = message.partition(": ")
+    shown = v4.new_output("error", ename=name, evalue=why, traceback=[message])
+    return v4.new_code_cell(source, outputs=[shown], metadata={"tags": ["raises-exception"]})
 
 
 def _output(source: str, want: str) -> Any:
