@@ -101,7 +101,10 @@ def test_no_wall_is_called_stable_wrongly(count, tmp_path):
 
 @pytest.mark.parametrize("count", [20, pytest.param(150, marks=pytest.mark.slow)])
 def test_limits_are_on_the_border(count, tmp_path):
-    """Of the stiffest wall at a damping and of any: stable below, and not above."""
+    """Of the stiffest wall at a damping and of any: stable below, and not above.
+
+    Of few loops the page says that it does not know the stiffest: at an end far from B = 0.
+    """
     dice = np.random.default_rng(44)
     loops = [
         loop | {"alpha": 0.01, "beta": 10 ** dice.uniform(-3, -0.3)}
@@ -110,7 +113,7 @@ def test_limits_are_on_the_border(count, tmp_path):
     ]
     question = "[n.beta, ...explorer.stiffestAt(n, explorer.curve(n), n.beta)]"
     best = "explorer.limits(n, explorer.curve(n)).stiffest"
-    seen = 0
+    seen = unknown = 0
     answers = zip(*(asked(q, loops, tmp_path) for q in (question, best)), strict=True)
     for loop, ((beta, alpha, _), (most, at, _)) in zip(loops, answers, strict=True):
         for K, B, inside in ((alpha, beta, 1e-6), (most, at, 0)):  # corners may lean to any side
@@ -119,8 +122,10 @@ def test_limits_are_on_the_border(count, tmp_path):
             seen += 1
             assert radius(loop, K - inside * abs(K), B) < 1 + 1e-6 * (not inside), (loop, K, B)
             assert radius(loop, K + 1e-6 * abs(K), B) >= 1, (loop, K, B)
-        assert alpha is None or alpha <= most * (1 + 1e-9)
+        unknown += most is None
+        assert alpha is None or most is None or alpha <= most * (1 + 1e-9)
     assert seen > len(loops)
+    assert unknown <= len(loops) / 40
 
 
 def test_passivity_with_an_average_is_its_closed_form(tmp_path):
