@@ -125,7 +125,7 @@ def test_limits_are_on_the_border(count, tmp_path):
         unknown += most is None
         assert alpha is None or most is None or alpha <= most * (1 + 1e-9)
     assert seen > len(loops)
-    assert unknown <= len(loops) / 40
+    assert unknown <= len(loops) / 20
 
 
 def test_passivity_with_an_average_is_its_closed_form(tmp_path):
