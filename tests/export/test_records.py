@@ -96,10 +96,11 @@ def test_what_people_read_may_only_become_shorter():
 
     Half of the lines above these goals bound the errors of a count, which is certain or -1; the
     others are the margin at an angle behind a fraction of a period. Some 30 sample a device, 20
-    keep the search for a root short, 20 bound the errors of devices that turn far in a period, and
-    four refuse x87 arithmetic.
+    keep the search for a root short, 20 bound the errors of devices that turn far in a period, four
+    refuse x87 arithmetic, and seven round products that XLA would join with a sum, or refuse
+    what is masked.
     """
     assert source().count("\n") <= 1177
     scene = request.scene("no-stiffness")
     assert source(parts=scene, whole_delays=True).count("\n") <= 250
-    assert (kernels.FOLDER / "haptic.py").read_text(encoding="utf-8").count("\n") <= 2983
+    assert (kernels.FOLDER / "haptic.py").read_text(encoding="utf-8").count("\n") <= 2990

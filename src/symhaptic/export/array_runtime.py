@@ -432,9 +432,8 @@ CROSSING = '''def crossing(xp, value, low, high, close, given):
 
 UNFUSED = '''def unfused(xp, product):
     """A product that a compiler does not join with a sum, as XLA does: it is rounded first."""
-    if deferred(product):
-        return xp.where(xp.abs(product) < math.inf, product, math.nan)
-    return product
+    held = deferred(product)
+    return xp.where(xp.abs(product) < math.inf, product, math.nan) if held else product
 '''
 
 HALVES = '''def halves(xp, y):

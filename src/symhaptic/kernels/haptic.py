@@ -385,9 +385,8 @@ def one_minus(xp, x, x_low):
 
 def unfused(xp, product):
     """A product that a compiler does not join with a sum, as XLA does: it is rounded first."""
-    if deferred(product):
-        return xp.where(xp.abs(product) < math.inf, product, math.nan)
-    return product
+    held = deferred(product)
+    return xp.where(xp.abs(product) < math.inf, product, math.nan) if held else product
 
 
 def halves(xp, y):
