@@ -111,8 +111,10 @@ def _real(xp, v, kind):
         return xp.reshape(xp.asarray([_outside_or(x) for x in v.flat], dtype=kind), v.shape)
     if xp.isdtype(v.dtype, "complex floating") or getattr(v.dtype, "kind", None) in tuple("USMmV"):
         return xp.full_like(v, math.nan, dtype=kind)
-    with numpy.errstate(over="ignore"):  # of a longer float, which then is outside
-        return xp.astype(v, kind, copy=False)
+    if isinstance(v, numpy.ndarray):
+        with numpy.errstate(over="ignore"):  # of a longer float, which then is outside
+            return v.astype(kind, copy=False)
+    return xp.astype(v, kind, copy=False)
 
 
 def _outside_or(v):
