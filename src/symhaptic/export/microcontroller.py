@@ -29,7 +29,7 @@ SIZES = {
     "max_stable_stiffness": 21452,
     "passivity_margin_at": 1292,
     "passivity_margin": 2460,
-    "passivity_boundary": 3200,
+    "passivity_boundary": 3172,
     "max_passive_stiffness": 1632,
     "linear_limit": 100,
 }
