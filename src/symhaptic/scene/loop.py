@@ -143,7 +143,7 @@ class DeviceLoop:
                 f"velocity: {self.velocity!r} cannot be used with dynamics whose velocity follows "
                 "the force without delay; give Difference()"
             )
-        if self.integrator not in STEPS:
+        if not isinstance(self.integrator, str) or self.integrator not in STEPS:
             allowed = ", ".join(map(repr, STEPS))
             raise ValueError(f"integrator: {shown(self.integrator)} is not allowed; give {allowed}")
         if self.integrator != "hold" and (self.actuator or self.structure or self.dynamics):
