@@ -284,6 +284,10 @@ def test_a_closed_stream_loses_no_result(tmp_path):
     assert (status, text.splitlines()[-1]) == (0, "1 statement: 1 definition")
     assert closed("<&-", "jury", "0")[0] == 0
     assert closed("<&- >&- 2>&-", "jury", "0") == (2, "", "")
+    said = "cannot write the result (Bad file descriptor); give another place\n"
+    for asked in (["jury", "0"], ["--help"]):
+        told = f"symhaptic: error: standard output: {said}"
+        assert closed(">&0 </dev/null", *asked) == (2, "", told)
 
 
 @pytest.mark.parametrize("option", [["--strict"], ["--rocq", "place"], ["--workers", "2"]])

@@ -166,6 +166,8 @@ def test_another_sign_in_its_print_is_a_misprint(notes):
         ('(("c", "b"),)', '(("cv", "b"),)', "'cv' is no name"),
         (r'{2m})",)', r'{2m})",), reading=("F = cv",)', "reading: says something else than"),
         (r'{2m})",)', r'{2m}!)",), reading=("F < cv",)', "has other relation signs than the print"),
+        ("{2m}", "{9^{9^{9^{9}}}}", "a number of more than 100000 bits, in "),
+        ('"Notes on drifting masses"', "None", "title: None of a source is not allowed; give text"),
         ("STATEMENTS", "PRINTED", "has no SOURCE or no STATEMENTS"),
         ("SOURCE =", "SOURCE = =", "invalid syntax"),
     ],
@@ -257,6 +259,18 @@ def odd(tmp_path, body, ids=("odd:one",), printed="x = 2y"):
         ("async def derive(page):\n    pass", "derive is async or has a yield"),
         ("def derive(page):\n    yield page", "derive is async or has a yield"),
         ("def derive(page):\n    os._exit(0)", "its process ended without a result"),
+        (
+            "class E(Exception):\n    def __str__(self):\n        return 3\n"
+            "def derive(page):\n    raise E",
+            "E: <exception str() failed>",
+        ),
+        (
+            "class E(Exception):\n    __module__ = None\ndef derive(page):\n    raise E('wrong')",
+            "E: wrong",
+        ),
+        ("__doc__ = 3\ndef derive(page):\n    pass", "has no docstring"),
+        ("def derive(page):\n    raise SyntaxError", "SyntaxError: None"),
+        ("def derive(page):\n    raise ValueError(9999 * 'x')", "xxx..."),
         ('def derive(page):\n    page.enclosed("t", [1])', "1 is no pair of a name"),
         ('def derive(page):\n    page.enclosed("t", ["ab"])', "'ab' is no pair of a name"),
         ('def derive(page):\n    page.define("t", "{x", 2*y)', "'{x' has braces that do not match"),
@@ -270,6 +284,7 @@ def test_a_chapter_that_fails_is_one_line_and_a_case_in_error(tmp_path, body, sa
     assert run.returncode == 2
     [line] = run.stderr.splitlines()
     assert said in line
+    assert len(line) < 1000
     suite = ElementTree.parse(out).getroot()
     assert suite.get("errors") == "1"
     [error] = suite.iter("error")
@@ -449,6 +464,17 @@ def test_a_link_to_nothing_is_not_taken_for_none(notes):
     run = symhaptic("verify", "--source", notes)
     assert run.returncode == 2
     assert "ledger.json: is no file" in run.stderr
+
+
+@pytest.mark.parametrize("id", [3, ["drift:way"], None])
+def test_an_id_in_a_ledger_is_text(notes, id):
+    (notes / "ledger.json").write_text(
+        json.dumps({"statements": [{"id": id, "verdict": "proved"}]}), encoding="utf-8"
+    )
+    run = symhaptic("verify", "--source", notes)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert "ledger.json: is no ledger; " in run.stderr
+    assert run.stderr.count("\n") == 1
 
 
 def test_a_ledger_with_an_id_twice_fails(notes):

@@ -10,7 +10,7 @@ from itertools import product
 import mpmath as mp
 import numpy as np
 import pytest
-from loops.oracle import device, difference_equation, matrix
+from loops.oracle import device, difference_equation, low_pass, matrix, sizes
 from loops.test_count import PARTS, VELOCITIES
 
 from symhaptic import Difference, Lag, LowPass, Measured, Scene, SecondMass, Window
@@ -214,3 +214,34 @@ def test_next_to_the_stiffest_wall_there_are_dampings(delay):
     assert low < best < high
     assert high - low < 1e-3
     assert trace.dampings(np.array([float(most) * (1 + 1e-9)])) == [[]]
+
+
+@pytest.mark.parametrize(
+    ("order", "mapping", "tau", "stable"),
+    [
+        (2, "backward Euler", 100.0, (0.0042, -0.42)),
+        (2, "Tustin", 200.0, (0.002, -0.3)),
+        (2, "backward Euler", 10.0, (0.1021, -1.382)),
+        (1, "Tustin", 20.0, (1.8027, -34.7804)),
+    ],
+)
+def test_walls_beside_a_pole_of_the_boundary_are_seen(order, mapping, tau, stable):
+    """A slow filter is stable with much negative damping, by eigenvalues; no wall was found."""
+
+    def grows(K, B):
+        wall, kind = difference_equation(*low_pass(tau, order, mapping))
+        return sizes(matrix(*device(0.0, 7e-5), K, B, 1.0, wall, kind)).max() > 1
+
+    assert not grows(*stable)
+    scene = Scene(
+        mass=1.0,
+        damping=7e-5,
+        sampling_period=1.0,
+        delay=1.0,
+        velocity=LowPass(time_constant=tau, order=order, mapping=mapping),
+    )
+    stiffest = scene.max_stable_stiffness()
+    assert stiffest > stable[0]
+    assert not grows(stiffest * (1 - 1e-3), scene.damping_for(stiffest * (1 - 1e-3)))
+    assert grows(stiffest * (1 + 1e-3), stiffest.B)
+    assert scene.stable_region().contains(*stable)

@@ -87,7 +87,7 @@ int main(void)
 @pytest.mark.filterwarnings("error")
 def test_single_precision_is_refused_where_it_makes_another_wall():
     """A pole of 1 - 1e-8 is 1 in single precision, and the filter never forgets."""
-    slow = scene(LowPass(weight=1e-8))
+    slow = scene(LowPass(weight=1e-7))
     assert files(slow, 1.0, 0.01)
     with pytest.raises(
         ValueError, match=r"^velocity: difference filtered by an exponential average of"

@@ -81,6 +81,19 @@ def test_each_part_has_its_table(text, tmp_path):
         ('integrator = "Euler"', ":3: integrator: 'Euler' is not allowed; give 'hold', 'semi-impl"),
         ('virtual_mass = "1 s"', ":3: virtual_mass: '1 s' is not allowed"),
         ('velocity = "50 Hz"', ":3: velocity is not a table; write [velocity]"),
+        ("integrator = [1, 2]", ":3: integrator: [1, 2] is not allowed; give 'hold', 'semi-impl"),
+        ("virtual_mass = {a = 1}", ":3: virtual_mass: {'a': 1} is not allowed; give one value, no"),
+        ("virtual_mass = 1e308", ":3: virtual_mass: 1e+308 with mass=0.1 and sampling_period=0.0"),
+        ("[structure]\nmass = 1\nstiffness = 1e-300", ":3: [structure]: stiffness 1e-300 with "),
+        ("[structure]\nmass = 1e-320\nstiffness = 1", ":3: [structure]: mass 1e-320 with mass=0"),
+        ("[structure]\nmass = 1\nstiffness = 1e16", ":3: [structure]: stiffness 1e+16 with mass="),
+        ("[actuator]\ntime_constant = 1e-300", "; give tau/T from 1e-09 to 1e+07"),
+        ("[coupling]\nstiffness = 1e300", ":3: [coupling]: stiffness 1e+300 with mass=0.1 and s"),
+        (
+            '[velocity]\nkind = "filter"\nnumerator = [1e8, -1e8, 1]\ndenominator = [1]',
+            ":5: numerator: (100000000.0, -100000000.0, 1.0) is not allowed; give numbers up to",
+        ),
+        (f'[velocity]\nkind = "{400 * "x"}"', "xxx... is not allowed; give one of 'low-pass', "),
     ],
 )
 def test_a_wrong_part_is_refused_on_one_line(text, told, tmp_path):
@@ -88,3 +101,30 @@ def test_a_wrong_part_is_refused_on_one_line(text, told, tmp_path):
         of(text, tmp_path)
     assert told in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "velocity",
+    [
+        LowPass(time_constant=1e300),
+        LowPass(cutoff=1e300, mapping="Tustin"),
+        LowPass(weight=1e-300),
+        LowPass(cutoff=50, order=2, damping_ratio=1e-300),
+    ],
+)
+def test_a_filter_beyond_all_digits_is_refused_for_stability(velocity):
+    """The count of roots never ended, or divided by zero."""
+    scene = Scene(mass=0.1, sampling_period=1e-3, velocity=velocity)
+    for ask in (lambda: scene.is_stable(1.0, 1.0), scene.max_stable_stiffness):
+        with pytest.raises(ValueError, match=r"^velocity: .* for stability; give (tau/T|D) from "):
+            ask()
+
+
+def test_a_filter_of_large_coefficients_is_the_same_filter():
+    """All of them times 1e308; the count of roots never ended."""
+    scenes = [
+        Scene(mass=0.1, sampling_period=1e-3, velocity=Filter([by], [by]))
+        for by in (1.0, 1e308, 5e-324)
+    ]
+    limits = {scene.limit_at(B=3.0).K for scene in scenes}
+    assert limits == {scenes[0].limit_at(B=3.0).K}

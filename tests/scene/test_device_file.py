@@ -88,3 +88,33 @@ def test_another_unit_is_refused(unit, tmp_path):
     text = f'mass = "1 {unit}"\nsampling_period = "1 ms"\n'
     with pytest.raises(BadDevice, match=r"mass: '1 .*' is not allowed; give "):
         read(written(tmp_path, text))
+
+
+@pytest.mark.parametrize(
+    ("content", "told"),
+    [
+        (
+            b"mass: 72 g",
+            "device.toml: Expected '=' after a key in a key/value pair (at line 1, col",
+        ),
+        (b"mass: 72 g", "; give a device file in TOML"),
+        (KNOB.encode("utf-16"), "invalid start byte); save it as UTF-8"),
+        (KNOB.encode() + b'[""]\ninertia = 1\n', "device.toml: '' is no table; give one of arm, "),
+        (b"k" * 9999 + b" = 1\n" + KNOB.encode(), ":1: 'kkkkk"),
+        (b"k" * 9999 + b" = 1\n" + KNOB.encode(), "kkk... is not known; give one of mass, "),
+        (f'device = "{9999 * "k"}"\n'.encode(), "kkk... is not allowed; give one of "),
+    ],
+)
+def test_what_is_no_device_is_told_with_what_to_do(tmp_path, content, told):
+    """A table without a name took the place of the device's own keys."""
+    path = tmp_path / "device.toml"
+    path.write_bytes(content)
+    with pytest.raises(BadDevice) as caught:
+        read(path)
+    assert told in str(caught.value)
+    assert len(str(caught.value)) < 1000
+
+
+def test_what_cannot_be_read_is_told_with_what_to_do(tmp_path):
+    with pytest.raises(BadDevice, match=r"cannot be read \(Is a directory\); give a device file"):
+        read(tmp_path)

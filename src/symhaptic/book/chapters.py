@@ -10,6 +10,7 @@ import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
+from traceback import TracebackException
 from types import ModuleType, TracebackType
 
 from symhaptic.book.page import Page
@@ -34,6 +35,9 @@ class BadChapter(ValueError):
     def __str__(self) -> str:
         return f"{self.place}: {self.what}"
 
+
+_LONGEST = 500
+"""Letters of an error that a line shows."""
 
 NO_DERIVE = "has no function derive(page)"
 NO_TITLE = "has no docstring; its first line is the chapter's title"
@@ -146,7 +150,8 @@ def run(path: Path) -> Chapter:
     derive = getattr(module, "derive", None)
     if not callable(derive):
         raise BadChapter(path, NO_DERIVE)
-    title, _, introduction = (module.__doc__ or "").strip().partition("\n")
+    text = module.__doc__ if isinstance(module.__doc__, str) else ""
+    title, _, introduction = text.strip().partition("\n")
     if not title:
         raise BadChapter(path, NO_TITLE)
     if any(kind(derive) for kind in _NOT_RUN_BY_A_CALL):
@@ -225,9 +230,15 @@ class _SomebodyElses:
         sys.stdout = self.stdout
         if kind is None or wrong is None or issubclass(kind, (KeyboardInterrupt, BadChapter)):
             return
-        said = wrong.msg if isinstance(wrong, SyntaxError) else str(wrong)
+        # the words of an error may raise one, too
+        said = (
+            str(wrong.msg)
+            if isinstance(wrong, SyntaxError)
+            else str(TracebackException(kind, wrong, None))
+        )
         line = " ".join(said.split()) or "no message"
-        own = kind.__module__.startswith("symhaptic")
+        line = line if len(line) <= _LONGEST else f"{line[:_LONGEST]}..."
+        own = str(kind.__module__).startswith("symhaptic")
         what = line if own else f"{kind.__name__}: {line}"
         raise BadChapter(self.path, what, self._line(wrong, trace)) from wrong
 

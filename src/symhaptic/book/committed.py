@@ -47,7 +47,9 @@ def records(path: Path) -> list[dict[str, Any]]:
         found = [dict(record) for record in data["statements"]]
         for record in found:
             Kind(record["verdict"])
-        counts = Counter(str(record["id"]) for record in found)
+            if not isinstance(record["id"], str):
+                raise TypeError
+        counts = Counter(record["id"] for record in found)
     except (ValueError, KeyError, TypeError, RecursionError) as wrong:
         raise NoLedger(path, "is no ledger") from wrong
     for id, count in counts.items():

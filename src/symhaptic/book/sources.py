@@ -17,6 +17,7 @@ from symhaptic import paper, rules
 from symhaptic.notation import SYMBOLS
 from symhaptic.notation.latex import refused
 from symhaptic.notation.proposition import Predicate, Proposition, Relation, proposition
+from symhaptic.notation.quantities import shown
 from symhaptic.notation.written import written
 from symhaptic.paper.propositions import CLAIMED as REGISTERED
 from symhaptic.paper.propositions import Claim
@@ -57,6 +58,9 @@ def add(source: Source, statements: Iterable[Statement]) -> Source:
     Its claims are those that ``source.py`` has registered.  Raises ``ValueError`` with one line on
     what is wrong.
     """
+    for field in ("key", "title", "authors", "year", "where"):
+        if not isinstance(value := getattr(source, field), str):
+            raise ValueError(f"{field}: {shown(value)} of a source is not allowed; give text")
     for side in zip(*source.notation, strict=True):
         if twice := [word for word in side if side.count(word) > 1]:
             raise ValueError(f"the notation has {twice[0]!r} twice on a side; give it once")

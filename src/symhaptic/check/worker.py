@@ -65,8 +65,8 @@ def _numbers(at: tuple[float, ...], value: Any) -> tuple[float, ...]:
             return tuple(float(v) for v in values)
         raise ValueError
     except (TypeError, ValueError, OverflowError):
-        got = values[0] if len(values) == 1 else values
-        raise Failed(f"gives {got!r} and no numbers when called with {_told(at)}") from None
+        got = _short(repr(values[0] if len(values) == 1 else values))
+        raise Failed(f"gives {got} and no numbers when called with {_told(at)}") from None
 
 
 def _told(at: tuple[float, ...]) -> str:
@@ -74,7 +74,13 @@ def _told(at: tuple[float, ...]) -> str:
 
 
 def _line(wrong: BaseException) -> str:
-    return f"{type(wrong).__name__}: {' '.join(str(wrong).split())}"
+    return f"{type(wrong).__name__}: {_short(str(wrong))}"
+
+
+def _short(text: str) -> str:
+    """At most 500 letters in one line."""
+    line = " ".join(text.split())
+    return line if len(line) <= 500 else f"{line[:500]}..."
 
 
 def _python(name: str) -> tuple[Callable[..., Any], dict[str, Any]]:

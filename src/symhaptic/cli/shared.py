@@ -21,8 +21,8 @@ app = typer.Typer(
 )
 
 
-FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO}
-"""A place that takes no more."""
+FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EBADF}
+"""A place that takes no more, or nothing at all, as one that is open for reading only."""
 
 
 class Unusable(ValueError):

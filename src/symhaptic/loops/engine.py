@@ -35,6 +35,9 @@ STEPS = {
 }
 """How the device moves from one sample to the next."""
 
+SMALL, LARGE = 1e-9, 1e7
+"""Of smaller and larger parts, in units of the mass and the period, the loop loses its digits."""
+
 _BLOCK = 4096
 """So many walls are counted at a time: their arrays stay in the processor's cache."""
 
@@ -80,6 +83,12 @@ class Engine:
 
     def at_delay(self, delay: Array | float) -> Loop:
         """The loop at one delay, or at each of an array of them."""
+        for name, size in self.velocity.sizes(self.period).items():
+            if size and not SMALL <= size <= LARGE:
+                raise ValueError(
+                    f"velocity: {self.velocity.words} with sampling_period={self.period!r} is not "
+                    f"allowed for stability; give {name} from {SMALL:g} to {LARGE:g}"
+                )
         whole = np.floor(delay)
         if isinstance(self.velocity, Oversampled):
             sampled: Sampled = self.velocity.sampled(self.plant, delay - whole, self.period)

@@ -67,6 +67,10 @@ class Oversampled(Measured):
                 f"keeps at most {_MEMORY}"
             )
 
+    def sizes(self, period: float) -> dict[str, float]:
+        """Those of the filter, for the period of the readings."""
+        return self.velocity.sizes(period / self.times)
+
     @property
     def words(self) -> str:
         """What a person reads of it."""

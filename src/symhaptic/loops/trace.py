@@ -76,7 +76,8 @@ class Trace:
         bottom = _tops(self.loop, theta)[2]
         there = np.flatnonzero(bottom[1:] * bottom[:-1] < 0)
         poles = zeros(lambda at: _tops(self.loop, at)[2], theta[there], theta[there + 1])
-        theta = np.union1d(theta, np.concatenate([poles * (1 - 1e-9), poles * (1 + 1e-9)]))
+        theta = np.union1d(theta, np.concatenate([poles * (1 + each) for each in _BESIDE]))
+        theta = theta[theta < np.pi]
         for which in (0, 1):
             theta = np.union1d(theta, self._extremes(theta, which))
         return theta
@@ -182,11 +183,28 @@ class Trace:
             if not reaches:
                 break
             size *= 4
-        if polygon.is_empty:
-            return polygon
-        low_K, low_B, high_K, high_B = polygon.bounds
-        K, B = 2 * max(abs(low_K), abs(high_K)), 2 * max(abs(low_B), abs(high_B))
-        return self._faces(K, B, fine=True)[0]
+        K, B = self._extent
+        if not polygon.is_empty:
+            low_K, low_B, high_K, high_B = polygon.bounds
+            K, B = max(K, abs(low_K), abs(high_K)), max(B, abs(low_B), abs(high_B))
+        return self._faces(2 * K, 2 * B, fine=True)[0] if K and B else polygon
+
+    @cached_property
+    def _extent(self) -> tuple[float, float]:
+        """Largest sizes of K and B of stable walls on lines through points of the boundary.
+
+        A region beside the one that a square box shows may be far away.
+        """
+        found = [0.0, 0.0]
+        for which, along in ((0, self.B), (1, self.K)):
+            lines = np.unique(along[np.isfinite(along)])
+            lines = lines[np.linspace(0, len(lines) - 1, min(_LINES, len(lines))).astype(int)]
+            for sign in (1.0, -1.0):
+                ends = self._ends(lines, which, sign)[0]
+                there = ~np.isnan(ends)
+                for at, sizes in ((which, ends[there]), (1 - which, lines[there])):
+                    found[at] = max(found[at], float(np.abs(sizes).max(initial=0.0)))
+        return found[0], found[1]
 
     def _faces(self, K: float, B: float, fine: bool = False) -> tuple[Any, bool]:
         """Stable faces within a box, and whether one of them reaches its border.
@@ -299,8 +317,15 @@ class Trace:
         return found[0], found[1]
 
 
+_LINES = 64
+"""Lines of equal K, and of equal B, on which stable walls are sought."""
+
 _SHARP = 0.02
 """Radians by which the outline turns at a corner, drawn as high as wide."""
+
+_BESIDE = np.geomspace(1e-9, 0.1, 81)
+_BESIDE = np.concatenate([-_BESIDE, _BESIDE])
+"""Relative distances from a pole: next to it the boundary goes to infinity within little angle."""
 
 _SIXTEEN = np.linspace(0.0, 1.0, 17)[:, None]
 """Ends of sixteen parts of an interval, one column for each of many intervals."""

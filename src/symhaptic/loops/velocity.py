@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import NamedTuple
 
 from symhaptic.loops.number import (
@@ -83,6 +84,10 @@ class Velocity:
     def over(self) -> int:
         """Of a difference over many samples, how many; 0 of others."""
         return 0
+
+    def sizes(self, period: float) -> dict[str, float]:
+        """Its numbers without units, by their formulas; 0 of what is not there."""
+        return {}
 
     def ratio(self, period: float) -> Ratio:
         """V(z) for a sampling period in s."""
@@ -198,6 +203,10 @@ class LowPass(Velocity):
             return self.time_constant / period
         assert self.cutoff is not None
         return 1 / (2 * math.pi * self.cutoff * period)
+
+    def sizes(self, period: float) -> dict[str, float]:
+        """tau/T, and the damping ratio of the second order."""
+        return {"tau/T": self.tau(period), "D": self.damping_ratio if self.order == 2 else 0.0}
 
     def pole(self, period: float) -> float:
         """The pole f of the exponential average for a sampling period in s."""
@@ -337,6 +346,11 @@ class Filter(Velocity):
                 f"numerator: {shown(self.numerator)} over {shown(self.denominator)} turns a "
                 "constant into another one; give coefficients with the same sum"
             )
+        if max(map(abs, self.numerator)) > _LARGEST * abs(self.denominator[0]):
+            raise ValueError(
+                f"numerator: {shown(self.numerator)} is not allowed; give numbers up to "
+                f"{_LARGEST:g} times the first of the denominator"
+            )
         if not all_inside([*map(decimal, self.denominator)]):
             raise ValueError(
                 f"denominator: {shown(self.denominator)} is not allowed; give a stable filter"
@@ -345,8 +359,14 @@ class Filter(Velocity):
     def ratio(self, period: float) -> Ratio:
         """V(z) for a sampling period in s."""
         more = len(self.numerator) - len(self.denominator)
-        above = _of_delays(self.numerator, max(0, -more))
-        return DIFFERENCE.times(Ratio(above, _of_delays(self.denominator, 0), max(0, more)))
+        one = decimal(self.denominator[0])
+        above, below = (
+            [decimal(each) / one for each in several]
+            for several in (self.numerator, self.denominator)
+        )
+        return DIFFERENCE.times(
+            Ratio(_of_delays(above, max(0, -more)), _of_delays(below, 0), max(0, more))
+        )
 
     @property
     def words(self) -> str:
@@ -358,7 +378,11 @@ _TERMS = 7
 """Coefficients of a filter; of longer ones powers of z - 1 lose digits."""
 
 
-def _of_delays(coefficients: Sequence[float], more: int) -> Polynomial:
+_LARGEST = 1e6
+"""Of larger coefficients, whose sum is small, digits are lost."""
+
+
+def _of_delays(coefficients: Sequence[float | Fraction], more: int) -> Polynomial:
     """(c_0 z^n + ... + c_n) z^more in powers of w.
 
     The sums are exact, because near z = 1 little is left of large coefficients.

@@ -145,7 +145,7 @@ def shown(value: object) -> str:
     return text if len(text) <= 80 else f"{text[:77]}..."
 
 
-def decimal(value: float) -> Fraction:
+def decimal(value: float | Fraction) -> Fraction:
     """The decimal that a number prints as: 0.0003 is 3/10000."""
     return Fraction(value) if isinstance(value, int | Fraction) else Fraction(repr(float(value)))
 

@@ -28,6 +28,9 @@ _IGNORED = {r"\br", r"\left", r"\right", r"\!"}
 _SPACES = {r"\,", r"\;"}
 _SMALL = re.compile(r"_\s*\{\s*(\w)\s*\}")
 r"""A subscript of one character, which needs no braces."""
+_MOST_BITS = 100_000
+"""Of the power of a number: 9^{9^{9^9}} would be computed for ever."""
+
 _MARKED = re.compile(r"\\changed\s*\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}")
 r"""What is ``\changed``, whose braces print nothing."""
 _RELATIONS: dict[str, type] = {
@@ -312,6 +315,13 @@ class _Reader:
     def raised(self, base: Expr, exponent: Expr) -> Expr:
         if not exponent.is_nonnegative:
             self.divisors.append(base)
+        if base.is_Rational and exponent.is_Rational:
+            bits = max(abs(base.p), base.q).bit_length() * abs(exponent)
+            if bits > _MOST_BITS and abs(base) not in (0, 1):
+                raise Unreadable(
+                    f"a number of more than {_MOST_BITS} bits, in {self.latex!r}; give its "
+                    "logarithm, or the power of a symbol"
+                )
         return self.made(sp.Pow, base, exponent)
 
     def loses_a_divisor(self, sides: Iterable[Expr]) -> bool:

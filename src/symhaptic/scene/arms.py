@@ -412,5 +412,5 @@ def _named(argument: str, name: str, known: dict[str, Any]) -> Any:
     folded = {each.casefold(): value for each, value in known.items()}
     if not isinstance(name, str) or name.casefold() not in folded:
         told = suggested(str(name), known)
-        raise ValueError(f"{argument}: {name!r} is not allowed; {told}")
+        raise ValueError(f"{argument}: {shown(name)} is not allowed; {told}")
     return folded[name.casefold()]

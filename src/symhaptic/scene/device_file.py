@@ -13,7 +13,7 @@ from symhaptic.loops.oversampled import Oversampled
 from symhaptic.loops.sensor import Encoder
 from symhaptic.loops.structure import Coupling, SecondMass
 from symhaptic.loops.velocity import Average, Difference, Filter, LowPass, Measured, Window
-from symhaptic.notation.quantities import number
+from symhaptic.notation.quantities import number, shown
 from symhaptic.notation.suggest import suggested
 from symhaptic.scene.arms import Arm, ArmRange, checked_range, of_device
 from symhaptic.scene.scene import Scene
@@ -90,18 +90,24 @@ def read(path: Path) -> Device:
         if len(text) > _LARGEST:
             raise BadDevice(f"{path}: has more than {_LARGEST} characters; give a device file")
         data = tomllib.loads(text)
-    except (OSError, UnicodeDecodeError) as wrong:
-        raise BadDevice(f"{path}: cannot be read ({wrong})") from None
+    except OSError as wrong:
+        said = f"cannot be read ({wrong.strerror}); give a device file"
+        raise BadDevice(f"{path}: {said}") from None
+    except UnicodeDecodeError as wrong:
+        raise BadDevice(f"{path}: cannot be read ({wrong}); save it as UTF-8") from None
     except RecursionError:
-        raise BadDevice(f"{path}: is nested too deeply") from None
+        raise BadDevice(f"{path}: is nested too deeply; give numbers in tables") from None
     except BadDevice:
         raise
     except ValueError as wrong:  # no TOML, or a whole number of more digits than Python reads
-        raise BadDevice(f"{path}: {wrong}") from None
+        raise BadDevice(f"{path}: {wrong}; give a device file in TOML") from None
     tables = {"": {k: v for k, v in data.items() if not isinstance(v, dict)}}
     for name, table in data.items():
         if isinstance(table, dict):
-            if name not in SCHEMA:
+            if name in (*SCHEMA[""], NAMED[""]):
+                place = _place(path, text, "", name)
+                raise BadDevice(f"{place}: {shown(table)} is not allowed; give one value, no table")
+            if name not in SCHEMA or not name:
                 told = suggested(name, [n for n in SCHEMA if n])
                 raise BadDevice(f"{_place(path, text, '', name)} is no table; {told}")
             tables[name] = table
@@ -151,7 +157,7 @@ def _part(path: Path, text: str, table: str, given: dict[str, Any]) -> Any:
     name = given.pop("kind", next(iter(kinds)))
     if not isinstance(name, str) or name not in kinds:
         place, allowed = _place(path, text, table, "kind"), ", ".join(map(repr, kinds))
-        raise BadDevice(f"{place} = {name!r} is not allowed; give one of {allowed}")
+        raise BadDevice(f"{place} = {shown(name)} is not allowed; give one of {allowed}")
     times = given.pop("times", None) if table == "velocity" else None
     wanted = {each.name: each.default is MISSING for each in fields(kinds[name]) if each.init}
     for key in given.keys() - wanted.keys():
@@ -179,17 +185,18 @@ def _check(path: Path, text: str, table: str, key: str, given: Any) -> None:
         raise BadDevice(f"{_place(path, text, table, key)} is not known; {suggested(key, named)}")
     if key == "with_device" and not isinstance(given, bool):
         place = _place(path, text, table, key)
-        raise BadDevice(f"{place} = {given!r} is not allowed; give true or false")
+        raise BadDevice(f"{place} = {shown(given)} is not allowed; give true or false")
 
 
 def _place(path: Path, text: str, table: str, key: str) -> str:
     """The line in which a key stands, as far as it is found, and the key."""
-    here = ""
+    here, plain = "", re.fullmatch(r"[\w-]{1,80}", key)
+    said = key if plain else shown(key)
     for at, line in enumerate(text.splitlines(), 1):
         if head := re.match(r"\s*\[\s*([\w-]+)\s*\]", line):
             here = head[1]
             if not table and here == key:
-                return f"{path}:{at}: [{key}]"
+                return f"{path}:{at}: [{said}]"
         elif here == table and re.match(rf"\s*[\"']?{re.escape(key)}[\"']?\s*=", line):
-            return f"{path}:{at}: {key}"
-    return f"{path}: {key}"
+            return f"{path}:{at}: {said}"
+    return f"{path}: {said}"

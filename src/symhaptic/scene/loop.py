@@ -15,7 +15,7 @@ from numbers import Real
 from typing import Any, Self, TypeVar
 
 from symhaptic.loops.actuator import Lag
-from symhaptic.loops.engine import STEPS, Engine
+from symhaptic.loops.engine import LARGE, SMALL, STEPS, Engine
 from symhaptic.loops.loop import SHORT
 from symhaptic.loops.oversampled import Oversampled
 from symhaptic.loops.sensor import Encoder
@@ -143,7 +143,7 @@ class DeviceLoop:
                 f"velocity: {self.velocity!r} cannot be used with dynamics whose velocity follows "
                 "the force without delay; give Difference()"
             )
-        if self.integrator not in STEPS:
+        if not isinstance(self.integrator, str) or self.integrator not in STEPS:
             allowed = ", ".join(map(repr, STEPS))
             raise ValueError(f"integrator: {shown(self.integrator)} is not allowed; give {allowed}")
         if self.integrator != "hold" and (self.actuator or self.structure or self.dynamics):
@@ -351,7 +351,35 @@ def _dimensionless(loop: DeviceLoop) -> Dimensionless:
             of = f"with {heavy} and sampling_period={loop.sampling_period!r}"
             given = f"{name}: {own!r} {of}"
             raise ValueError(f"{given} is not allowed; give {formula} <= {most:g}")
+    _check_parts(loop, heavy)
     return found
+
+
+def _check_parts(loop: DeviceLoop, heavy: str) -> None:
+    """Raise :class:`ValueError` if a further part is too small or too large beside the device.
+
+    What is exactly 0 is no part.
+    """
+    mass, period = loop.coupled.mass, loop.sampling_period
+    stiff, damped = per_unit(mass, period)
+    per = {
+        "mass": (1 / mass, "M/m"),
+        "stiffness": (stiff, "k T^2/m"),
+        "damping": (damped, "b T/m"),
+        "time_constant": (1 / period, "tau/T"),
+    }
+    sizes = [("virtual_mass", "", loop.virtual_mass or 0.0, *per["mass"])]
+    for part in ("actuator", "structure", "coupling"):
+        own = getattr(loop, part)
+        sizes += [(part, name, getattr(own, name, 0.0), *by) for name, by in per.items()]
+    for part, name, value, unit, formula in sizes:
+        least = 0.0 if part == "virtual_mass" else SMALL  # it vanishes with its size
+        if value and not least <= value * unit <= LARGE:
+            given = f"{part}: {name} {value!r}" if name else f"{part}: {value!r}"
+            raise ValueError(
+                f"{given} with {heavy} and sampling_period={period!r} is not allowed; "
+                f"give {formula} from {least:g} to {LARGE:g}"
+            )
 
 
 _FURTHER = (
