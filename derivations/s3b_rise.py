@@ -49,7 +49,7 @@ def derive(page):
         because=r"the slope has the sign of $\cos N\psi$",
     )
     page.lemma("Up to $N\\psi=\\pi/2$ a larger angle has the larger stiffness", rises(LOWER))
-    page.lemma(r"Beyond $N\psi=\pi/2$ a larger angle has the smaller stiffness", rises(UPPER))
+    page.lemma(r"Above $N\psi=\pi/2$ a larger angle has the smaller stiffness", rises(UPPER))
     page.step(
         "For a given stiffness, the condition is strictest at the angle with $U=u$",
         diff((u * cot(psi) * sin(N * psi) - 1) / cos(N * psi), psi),

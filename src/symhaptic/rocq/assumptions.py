@@ -58,7 +58,7 @@ def resting(
 
 
 def axioms(said: str) -> set[str]:
-    """What ``Print Assumptions`` lists, with the library's under four names.
+    r"""What ``Print Assumptions`` lists, with the library's under four names.
 
     A line that names no axiom stands for itself: Rocq says there which of its checks were left out.
 
