@@ -1,5 +1,7 @@
 """Figures drawn beside the work are those that are drawn at once, byte for byte."""
 
+import multiprocessing
+
 import pytest
 from chapters import chapter
 
@@ -39,3 +41,16 @@ def test_what_cannot_be_drawn_is_told_where_it_is_taken(tmp_path):
         drawings.begin(Wrong)
         with pytest.raises(TypeError):
             drawings.take(Wrong.page.blocks[0], tmp_path / "x.svg")
+
+
+def test_what_a_killed_process_has_not_drawn_is_drawn_here(tmp_path):
+    one = chapter("s3b_envelope")
+    (block,) = figures([one])
+    with Drawings() as drawings:
+        drawings.begin(one)
+        (process,) = multiprocessing.active_children()
+        process.kill()
+        process.join()
+        drawings.take(block, tmp_path / "killed.svg")
+        drawings.begin(one)
+    assert (tmp_path / "killed.svg").is_file()

@@ -5,8 +5,8 @@ from __future__ import annotations
 import multiprocessing
 import shutil
 from collections.abc import Sequence
-from concurrent.futures import Future, ProcessPoolExecutor
-from contextlib import ExitStack
+from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor
+from contextlib import ExitStack, suppress
 from pathlib import Path
 
 from symhaptic.book.chapters import Chapter
@@ -20,7 +20,8 @@ ENDINGS = (".pdf", ".svg")
 class Drawings(ExitStack):
     """A process that draws what :meth:`begin` hears of, while chapters are derived.
 
-    What is drawn by code outside of the package, or not begun, is drawn where it is taken.
+    What is drawn by code outside of the package, or not begun, is drawn where it is taken; so is
+    all that a killed process has not drawn.
     """
 
     def __init__(self) -> None:
@@ -36,18 +37,19 @@ class Drawings(ExitStack):
         for block in chapter.page.blocks:
             if block.draw is not None and _ours(block):
                 files = [self._file(block, ending) for ending in ENDINGS]
-                self._begun[block.title] = self._pool.submit(
-                    save_all, block.draw, files, block.panels, block.height
-                )
+                with suppress(BrokenExecutor):
+                    self._begun[block.title] = self._pool.submit(
+                        save_all, block.draw, files, block.panels, block.height
+                    )
 
     def take(self, block: Block, target: Path) -> None:
         """Put a figure into a file, PDF or SVG, once it is drawn."""
-        drawn = self._begun.get(block.title)
-        if drawn is None:
-            take(block, target)
-        else:
-            drawn.result()
-            shutil.copyfile(self._file(block, target.suffix), target)
+        if drawn := self._begun.get(block.title):
+            with suppress(BrokenExecutor):
+                drawn.result()
+                shutil.copyfile(self._file(block, target.suffix), target)
+                return
+        take(block, target)
 
     def _file(self, block: Block, ending: str) -> Path:
         return self._folder / f"{block.title}{ending}"
