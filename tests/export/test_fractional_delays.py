@@ -187,5 +187,5 @@ def test_every_exported_function_of_a_delay_is_tried_here():
 def test_no_title_says_more_than_that():
     """A wall with alpha < 0 is not passive, whatever its margin at each angle."""
     title = stable.form("passivity_margin_at").title
-    assert "a wall with alpha >= 0 is passive where" in title
+    assert "a wall with alpha >= 0 is passive if" in title
     assert not any("principal" in words for words in stable.form("passivity_margin_at").domain)

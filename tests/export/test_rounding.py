@@ -195,14 +195,14 @@ def test_a_readme_says_proved_where_it_is_and_measured_elsewhere():
             assert f"- {goal.result}: at most {float(goal.bound):g}" in about[routine.name]
             assert files[goal.file] == goal.text
             low, high = FORMATS[53][1:]
-            assert f"from 2^{low} to 2^{high} in size" in about[routine.name]
+            assert f"has a size from 2^{low} to 2^{high}" in about[routine.name]
     with_goals = {r.name for r in made.public if goals(r, TARGETS["c"])}
-    assert {name for name, text in about.items() if "Proved" in text} == with_goals
+    assert {name for name, text in about.items() if "proved by" in text} == with_goals
     assert (
-        "alpha: at most 1, from the value of tan on, of integer delays"
+        "alpha: at most 1, with the value of tan taken as given, for integer delays"
         in (about["max_passive_stiffness"])
     )
     assert "integer delays (rounding" not in about["linear_limit"]
     assert all("measured" in text for name, text in about.items() if name in with_goals)
-    assert "Proved" not in about["stability_boundary"]
-    assert "Proved" not in request.built(TARGETS["rust"], chosen([]))[1]["README.md"]
+    assert "proved by" not in about["stability_boundary"]
+    assert "proved by" not in request.built(TARGETS["rust"], chosen([]))[1]["README.md"]

@@ -208,7 +208,7 @@ def test_exact_and_printed_walls_of_a_root():
 
     titles = (
         "For every fraction, $|M|$ is larger than $|N|$",
-        "With a delay of half a period the wall of the exact boundary is the smaller one",
+        "With a delay of half a period the wall on the exact boundary is the smaller one",
         "With a delay of half a period the two boundaries $Q$ and $Q_p$ have the same phase",
         "The phases of the two boundaries differ by a term of third order in the angle",
     )
