@@ -128,9 +128,13 @@ def test_walls_and_answers_in_numbers_are_no_others(folder):
 
 
 def test_nothing_is_assumed_in_the_library():
-    """No axiom, no parameter and no proof that is left out, so that no name stands for nothing."""
+    """No axiom, no parameter and no proof that is left out, so that no name stands for nothing.
+
+    A module type says only what a module has to define that is given in its place.
+    """
     for path in PRELUDES:
         text = re.sub(r"\(\*.*?\*\)", "", path.read_text(encoding="utf-8"), flags=re.S)
+        text = re.sub(r"^Module Type .*?^End \w+\.$", "", text, flags=re.M | re.S)
         assert not re.findall(r"\b(?:Axiom|Parameter|Conjecture|Admitted|admit)s?\b", text), path
 
 
