@@ -419,7 +419,9 @@ class Scene(DeviceLoop):
 
         Notes
         -----
-        The limit is a supremum.  With any damping except ``.B`` it is lower.
+        The limit is a supremum.  With any damping except ``.B`` it is lower.  With a filter, the
+        stable region may have its largest stiffness in a corner; softer walls with the damping
+        ``.B`` are then unstable.  Test the wall that you choose with :meth:`is_stable`.
 
         Examples
         --------
