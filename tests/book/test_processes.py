@@ -322,7 +322,7 @@ def test_nothing_is_lost_or_left_at_any_moment(kind, used, request):
                 assert said == "" or said.endswith(INTERRUPTED) or "Traceback" in said, what
         if kind not in ("sweep", *VARY):
             assert all(found[name] == whole[name] for name in found), what
-    assert arrived > KILLS / 2
+    assert arrived > KILLS / (4 if kind == "sweep" else 2)  # one that is whole ends at once
     with begun() as process:  # a sweep goes on, all others begin anew
         said = process.stderr.read()
     assert process.returncode == 0, said
