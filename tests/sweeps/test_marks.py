@@ -263,3 +263,11 @@ def test_what_names_no_longer_tell_is_refused(program, told):
 def test_functions_of_installed_modules_have_a_mark(name):
     home, _, word = name.rpartition(".")
     assert mark(made(f"from {home} import {word} as h\nf = lambda a: h(a)"))
+
+
+def test_a_function_with_many_names_has_a_mark():
+    """Python writes the number of a name beyond the 256th in an instruction of its own."""
+    names = "; ".join(f"x.a{i}" for i in range(300))
+    space = {}
+    exec(f"def many(x):\n    {names}\n    from os.path import join\n    return join", space)
+    assert mark(space["many"])

@@ -153,7 +153,9 @@ class _Marks:
             return
         codes = [*_nested(function.__code__)]
         attributes = frozenset(name for code in codes for name in code.co_names)
-        read = [[*dis.get_instructions(code)] for code in codes]
+        read = [
+            [i for i in dis.get_instructions(code) if i.opname != "EXTENDED_ARG"] for code in codes
+        ]
         names = {i.argval for some in read for i in some if i.opname.endswith(_BY_NAME)}
         for name in sorted(names & set(function.__globals__)):
             yield _digest(name, self.of(function.__globals__[name], attributes))
