@@ -144,3 +144,9 @@ def test_parts_are_in_the_latex_of_a_scene():
     for words in (r"\text{velocity: difference filtered by", r"\text{virtual mass: 0.001 kg}"):
         assert words in scene._repr_latex_()
     assert r"\text" not in Scene(**DEVICE)._repr_latex_()
+
+
+@pytest.mark.parametrize("integrator", ["trapezoidal", "", None, ["hold"]])
+def test_an_integrator_that_is_none_is_refused(integrator):
+    with pytest.raises(ValueError, match=r"^integrator: .* is not allowed; give 'hold', "):
+        Scene(**DEVICE, integrator=integrator)
