@@ -142,7 +142,7 @@ def test_the_self_test_passes(target, scene, tmp_path):
 
 REFUSED = {
     "--target rust": "delay_margin: is exported in C only",
-    "--target c --whole-delays": "--whole-delays: delay_margin: is for fractional delays only",
+    "--target c --whole-delays": "--whole-delays: delay_margin: needs fractional delays",
     "--target c --scene no-delay": "delay_margin: is about a delay, and the scene has none",
     "--target c --derivative delta": "--derivative: delay_margin: has no derivative",
 }

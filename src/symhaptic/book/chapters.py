@@ -230,7 +230,7 @@ class _SomebodyElses:
         sys.stdout = self.stdout
         if kind is None or wrong is None or issubclass(kind, (KeyboardInterrupt, BadChapter)):
             return
-        # the words of an error may raise one, too
+        # str() of an error may itself raise an error
         said = (
             str(wrong.msg)
             if isinstance(wrong, SyntaxError)

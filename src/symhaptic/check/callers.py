@@ -187,7 +187,7 @@ class Theirs(ExitStack):
         """The last line that it has printed as an error."""
         with open(self.said, errors="replace") as file:
             lines = file.read(_OUTPUT).strip().splitlines()
-        return f" ({lines[-1][:500]})" if lines else ""
+        return f" ({worker.short(lines[-1])})" if lines else ""
 
     def _end(self) -> None:
         """End the process and those that it has started."""

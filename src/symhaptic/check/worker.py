@@ -65,7 +65,7 @@ def _numbers(at: tuple[float, ...], value: Any) -> tuple[float, ...]:
             return tuple(float(v) for v in values)
         raise ValueError
     except (TypeError, ValueError, OverflowError):
-        got = _short(repr(values[0] if len(values) == 1 else values))
+        got = short(repr(values[0] if len(values) == 1 else values))
         raise Failed(f"gives {got} and no numbers when called with {_told(at)}") from None
 
 
@@ -74,10 +74,10 @@ def _told(at: tuple[float, ...]) -> str:
 
 
 def _line(wrong: BaseException) -> str:
-    return f"{type(wrong).__name__}: {_short(str(wrong))}"
+    return f"{type(wrong).__name__}: {short(str(wrong))}"
 
 
-def _short(text: str) -> str:
+def short(text: str) -> str:
     """At most 500 letters in one line."""
     line = " ".join(text.split())
     return line if len(line) <= 500 else f"{line[:500]}..."

@@ -22,7 +22,7 @@ app = typer.Typer(
 
 
 FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EBADF}
-"""A place that takes no more, or nothing at all, as one that is open for reading only."""
+"""Errors of a place that is full, or that is open for reading only."""
 
 
 class Unusable(ValueError):

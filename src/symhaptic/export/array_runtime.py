@@ -433,7 +433,7 @@ CROSSING = '''def crossing(xp, value, low, high, close, given):
 '''.replace("MOST", str(MOST))
 
 UNFUSED = '''def unfused(xp, product):
-    """A product that a compiler does not join with a sum, as XLA does: it is rounded first."""
+    """The product, rounded before it is added: XLA would fuse both into one operation."""
     held = deferred(product)
     return xp.where(xp.abs(product) < math.inf, product, math.nan) if held else product
 '''

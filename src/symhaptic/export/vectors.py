@@ -84,7 +84,7 @@ _LATE = [
 ]  # fmt: skip
 """Loops whose delay margin is told, but for one that is not stable."""
 _CRITICAL = [(0.25, 1.0), (BELOW, 1.0), (ABOVE, 1.0), (25.0, 10.0), (1e6, 0.02)]
-"""Critical damping and its neighbours; of the stiff device n0 is wrong where sums are rewritten."""
+"""Critical damping and its neighbours; reordered sums give a wrong n0 of the stiff device."""
 _MOST = 40
 """Vectors a function: all combinations where these are fewer, else an even choice of them."""
 

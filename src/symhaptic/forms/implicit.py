@@ -218,7 +218,7 @@ class Touching(ImplicitFunction, nargs=3):
 
 
 class PassiveAngle(ImplicitFunction, nargs=2):
-    """the worst angle of the passive wall of maximum stiffness, delay l + epsilon periods
+    """the worst angle of the passive wall of maximum stiffness for a delay of l + epsilon periods
 
     Of (l, epsilon).
     """

@@ -140,7 +140,7 @@ def of_whole_delays(form: Form) -> Form:
     """
     margin = any(isinstance(expr, DelayMargin) for _, expr in form.results)
     if epsilon in form.arguments or margin:
-        raise NoForm(f"{form.name}: is for fractional delays only; leave --whole-delays out")
+        raise NoForm(f"{form.name}: needs fractional delays; leave --whole-delays out")
     if d not in form.arguments:
         return form
     return replace(

@@ -36,7 +36,7 @@ STEPS = {
 """How the device moves from one sample to the next."""
 
 SMALL, LARGE = 1e-9, 1e7
-"""Of smaller and larger parts, in units of the mass and the period, the loop loses its digits."""
+"""Sizes of parts in units of the mass and the period.  Outside this range, digits are lost."""
 
 _BLOCK = 4096
 """So many walls are counted at a time: their arrays stay in the processor's cache."""

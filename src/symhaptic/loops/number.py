@@ -55,10 +55,11 @@ def power_of_z(exponent: int) -> Polynomial:
 def all_inside(falling: list[Number]) -> bool | None:
     """Whether all roots of a polynomial in z lie in |z| < 1, by Schur's reduction.
 
-    The coefficients begin with the highest power.  They are exact or balls; None if balls do not
-    tell.
+    The coefficients begin with the highest power.  They are fractions or balls; None if balls
+    cannot decide.
 
-    >>> all_inside([1, -1]), all_inside([2, 1])
+    >>> from fractions import Fraction
+    >>> all_inside([Fraction(1), Fraction(-1)]), all_inside([Fraction(2), Fraction(1)])
     (False, True)
     """
     while len(falling) > 1:

@@ -86,7 +86,7 @@ class Velocity:
         return 0
 
     def sizes(self, period: float) -> dict[str, float]:
-        """Its numbers without units, by their formulas; 0 of what is not there."""
+        """Dimensionless parameters by their formulas; 0 for one that is absent."""
         return {}
 
     def ratio(self, period: float) -> Ratio:
@@ -379,7 +379,7 @@ _TERMS = 7
 
 
 _LARGEST = 1e6
-"""Of larger coefficients, whose sum is small, digits are lost."""
+"""Larger coefficients, which nearly cancel in their sum, lose digits."""
 
 
 def _of_delays(coefficients: Sequence[float | Fraction], more: int) -> Polynomial:

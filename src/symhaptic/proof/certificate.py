@@ -122,7 +122,7 @@ class Largest:
 
 
 def _read_once(certificate: object, *names: str) -> None:
-    """Copy what a certificate is given: of a class of one's own it may say something else later."""
+    """Copy the parts of a certificate: an object of another class may return other values later."""
     for name in names:
         part = getattr(certificate, name)
         if isinstance(part, Mapping):

@@ -92,8 +92,8 @@ _PARTS = frozenset({
     *(sp.Symbol, sp.Dummy, sp.Add, sp.Mul, sp.Pow, *CALLS, sp.Integer, sp.Rational),
     *map(type, (sp.S.Zero, sp.S.One, sp.S.NegativeOne, sp.S.Half, sp.pi, sp.E, sp.I)),
 })  # fmt: skip
-"""All that there is a program for; an object of a class of one's own may say of itself what it
-likes, and something else the next time."""
+"""Classes for which there is a program.  An object of another class may return other parts each
+time it is asked."""
 
 
 def _plain(claim: Any) -> bool:

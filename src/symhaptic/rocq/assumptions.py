@@ -60,7 +60,7 @@ def resting(
 def axioms(said: str) -> set[str]:
     r"""What ``Print Assumptions`` lists, with the library's under four names.
 
-    A line that names no axiom stands for itself: Rocq says there which of its checks were left out.
+    Lines that name no axiom are kept as they are: they report which checks were switched off.
 
     >>> sorted(axioms("Axioms:\nmine : False\nloop is assumed to be guarded.\n"))
     ['loop is assumed to be guarded.', 'mine']

@@ -83,7 +83,7 @@ class Piece:
     made: Mapping[str, str]
     """Versions that began the sweep, as :func:`maker` returns them."""
     functions: tuple[str, ...]
-    """Marks of the function in the process that began the sweep: one of them is to be its mark."""
+    """Marks of the function in the process that began the sweep.  Its mark here is one of them."""
     process: str
     """That process."""
 
@@ -131,7 +131,7 @@ _PROCESS = uuid4().hex
 """This process; a forked one has its functions too."""
 
 _SAME = set[tuple[str, ...]]()
-"""Marks of functions that this process has as the one that began the sweep."""
+"""Marks of functions that are the same here as in the process that began the sweep."""
 
 _ONE = Lock()
 

@@ -20,8 +20,8 @@ ENDINGS = (".pdf", ".svg")
 class Drawings(ExitStack):
     """A process that draws what :meth:`begin` hears of, while chapters are derived.
 
-    What is drawn by code outside of the package, or not begun, is drawn where it is taken; so is
-    all that a killed process has not drawn.
+    Figures of code outside of the package, figures that were not begun, and those that a killed
+    process has not drawn are drawn where they are taken.
     """
 
     def __init__(self) -> None:

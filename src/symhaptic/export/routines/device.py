@@ -384,7 +384,7 @@ def numerator_gap_swing(reach, half, w, envelope, wave: Pair, gamma, delta):
 
 
 def _either(small, near, swing, creep, found):
-    """A form near the origin, else that of a swinging or of an overdamped device."""
+    """A form near the origin, else that of an oscillating or of an overdamped device."""
     both = choose(found[1]["w"] < 0, swing.of(found[0]), creep.of(found[1]))
     return choose(small, near, both)
 
