@@ -24,7 +24,7 @@ FRACTIONAL = (
 
 def test_the_form_of_a_fraction_is_left_out_and_refused_by_name():
     assert "discretize_fractional" not in [form.name for form in FORMS]
-    with pytest.raises(Refused, match="--whole-delays: discretize_fractional: is for fractional"):
+    with pytest.raises(Refused, match="--whole-delays: discretize_fractional: needs fractional"):
         request.chosen(["discretize_fractional"], whole_delays=True)
     with pytest.raises(Refused, match="--whole-delays: the scene has no delay"):
         request.chosen([], request.scene("no-delay"), whole_delays=True)
